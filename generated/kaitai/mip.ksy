@@ -152,6 +152,7 @@ types:
             kind::mip_3dm_message_format: mip_3dm_message_format
             kind::mip_3dm_factory_streaming: mip_3dm_factory_streaming
             kind::mip_3dm_data_stream_control: mip_3dm_data_stream_control
+            kind::mip_3dm_raw_rtcm_2_3_message: mip_3dm_raw_rtcm_2_3_message
             kind::mip_3dm_constellation_settings: mip_3dm_constellation_settings
             kind::mip_3dm_gnss_sbas_settings: mip_3dm_gnss_sbas_settings
             kind::mip_3dm_gnss_assisted_fix: mip_3dm_gnss_assisted_fix
@@ -167,6 +168,9 @@ types:
             kind::mip_3dm_sensor_to_vehicle_transform_euler: mip_3dm_sensor_to_vehicle_transform_euler
             kind::mip_3dm_sensor_to_vehicle_transform_quaternion: mip_3dm_sensor_to_vehicle_transform_quaternion
             kind::mip_3dm_sensor_to_vehicle_transform_dcm: mip_3dm_sensor_to_vehicle_transform_dcm
+            kind::mip_3dm_gps_dynamics_mode: mip_3dm_gps_dynamics_mode
+            kind::mip_3dm_imu_signal_conditioning: mip_3dm_imu_signal_conditioning
+            kind::mip_3dm_imu_timestamp: mip_3dm_imu_timestamp
             kind::mip_3dm_accel_bias: mip_3dm_accel_bias
             kind::mip_3dm_gyro_bias: mip_3dm_gyro_bias
             kind::mip_3dm_capture_gyro_bias: mip_3dm_capture_gyro_bias
@@ -182,6 +186,9 @@ types:
             kind::mip_3dm_sensor_range: mip_3dm_sensor_range
             kind::mip_3dm_get_calibrated_sensor_ranges: mip_3dm_get_calibrated_sensor_ranges
             kind::mip_3dm_low_pass_filter: mip_3dm_low_pass_filter
+            kind::mip_3dm_data_stream_format: mip_3dm_data_stream_format
+            kind::mip_3dm_device_power_state: mip_3dm_device_power_state
+            kind::mip_3dm_gps_advanced_settings: mip_3dm_gps_advanced_settings
             kind::mip_3dm_device_status: mip_3dm_device_status
             kind::mip_3dm_imu_message_format_response: mip_3dm_imu_message_format_response
             kind::mip_3dm_gnss_message_format_response: mip_3dm_gnss_message_format_response
@@ -189,13 +196,18 @@ types:
             kind::mip_3dm_get_imu_base_rate_response: mip_3dm_get_imu_base_rate_response
             kind::mip_3dm_get_gnss_base_rate_response: mip_3dm_get_gnss_base_rate_response
             kind::mip_3dm_data_stream_control_response: mip_3dm_data_stream_control_response
+            kind::mip_3dm_imu_signal_conditioning_response: mip_3dm_imu_signal_conditioning_response
             kind::mip_3dm_uart_baud_rate_response: mip_3dm_uart_baud_rate_response
+            kind::mip_3dm_data_stream_format_response: mip_3dm_data_stream_format_response
+            kind::mip_3dm_device_power_state_response: mip_3dm_device_power_state_response
             kind::mip_3dm_get_filter_base_rate_response: mip_3dm_get_filter_base_rate_response
             kind::mip_3dm_imu_low_pass_filter_response: mip_3dm_imu_low_pass_filter_response
             kind::mip_3dm_nmea_message_format_response: mip_3dm_nmea_message_format_response
             kind::mip_3dm_get_base_rate_response: mip_3dm_get_base_rate_response
             kind::mip_3dm_message_format_response: mip_3dm_message_format_response
             kind::mip_3dm_device_status_basic_response: mip_3dm_device_status_basic_response_layouts
+            kind::mip_3dm_gps_dynamics_mode_response: mip_3dm_gps_dynamics_mode_response
+            kind::mip_3dm_imu_timestamp_response: mip_3dm_imu_timestamp_response
             kind::mip_3dm_complementary_filter_response: mip_3dm_complementary_filter_response
             kind::mip_3dm_accel_bias_response: mip_3dm_accel_bias_response
             kind::mip_3dm_gyro_bias_response: mip_3dm_gyro_bias_response
@@ -225,6 +237,7 @@ types:
             kind::filter_reset: filter_reset
             kind::filter_set_initial_attitude: filter_set_initial_attitude
             kind::filter_set_initial_heading: filter_set_initial_heading
+            kind::filter_set_initial_attitude_from_imu: filter_set_initial_attitude_from_imu
             kind::filter_run: filter_run
             kind::filter_vehicle_dynamics_mode: filter_vehicle_dynamics_mode
             kind::filter_sensor_to_vehicle_rotation_euler: filter_sensor_to_vehicle_rotation_euler
@@ -321,10 +334,13 @@ types:
             kind::filter_gnss_antenna_calibration_control_response: filter_gnss_antenna_calibration_control_response
             kind::gnss_receiver_info: gnss_receiver_info
             kind::gnss_signal_config: gnss_signal_config
+            kind::gnss_receiver_reset: gnss_receiver_reset
+            kind::gnss_rtk_config: gnss_rtk_config
             kind::gnss_rtk_dongle_config: gnss_rtk_dongle_config
             kind::gnss_spartn_config: gnss_spartn_config
             kind::gnss_receiver_info_response: gnss_receiver_info_response
             kind::gnss_signal_config_response: gnss_signal_config_response
+            kind::gnss_rtk_config_response: gnss_rtk_config_response
             kind::gnss_rtk_dongle_config_response: gnss_rtk_dongle_config_response
             kind::gnss_spartn_config_response: gnss_spartn_config_response
             kind::rtk_get_status_flags: rtk_get_status_flags
@@ -379,7 +395,7 @@ types:
             kind::sensor_comp_euler_angles: sensor_comp_euler_angles
             kind::sensor_orientation_raw_temperature: sensor_orientation_raw_temperature
             kind::sensor_internal_timestamp: sensor_internal_timestamp
-            kind::sensor_pps_timestamp: sensor_pps_timestamp
+            kind::sensor_pps_timestamp: sensor_pps_timestamp_layouts
             kind::sensor_north_vector: sensor_north_vector
             kind::sensor_up_vector: sensor_up_vector
             kind::sensor_gps_timestamp: sensor_gps_timestamp
@@ -399,13 +415,14 @@ types:
             kind::gnss_data_fix_info: gnss_data_fix_info
             kind::gnss_data_sv_info: gnss_data_sv_info
             kind::gnss_data_hardware_status: gnss_data_hardware_status
-            kind::gnss_data_dgps_info: gnss_data_dgps_info
+            kind::gnss_data_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_data_dgps_channel: gnss_data_dgps_channel
             kind::gnss_data_clock_info_2: gnss_data_clock_info_2
             kind::gnss_data_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_data_sbas_info: gnss_data_sbas_info
             kind::gnss_data_sbas_correction: gnss_data_sbas_correction
             kind::gnss_data_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_data_heading: gnss_data_heading
             kind::gnss_data_satellite_status: gnss_data_satellite_status
             kind::gnss_data_raw: gnss_data_raw
             kind::gnss_data_base_station_info: gnss_data_base_station_info
@@ -474,6 +491,8 @@ types:
             kind::filter_data_gnss_dual_antenna_status: filter_data_gnss_dual_antenna_status
             kind::filter_data_aiding_frame_config_error: filter_data_aiding_frame_config_error
             kind::filter_data_aiding_frame_config_error_uncertainty: filter_data_aiding_frame_config_error_uncertainty
+            kind::displacement_data_displacement_raw: displacement_data_displacement_raw
+            kind::displacement_data_displacement: displacement_data_displacement
             kind::gnss_1_llh_position: gnss_data_llh_position
             kind::gnss_1_ecef_position: gnss_data_ecef_position
             kind::gnss_1_ned_velocity: gnss_data_ned_velocity
@@ -485,13 +504,14 @@ types:
             kind::gnss_1_fix_info: gnss_data_fix_info
             kind::gnss_1_sv_info: gnss_data_sv_info
             kind::gnss_1_hardware_status: gnss_data_hardware_status
-            kind::gnss_1_dgps_info: gnss_data_dgps_info
+            kind::gnss_1_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_1_dgps_channel: gnss_data_dgps_channel
             kind::gnss_1_clock_info_2: gnss_data_clock_info_2
             kind::gnss_1_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_1_sbas_info: gnss_data_sbas_info
             kind::gnss_1_sbas_correction: gnss_data_sbas_correction
             kind::gnss_1_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_1_heading: gnss_data_heading
             kind::gnss_1_satellite_status: gnss_data_satellite_status
             kind::gnss_1_raw: gnss_data_raw
             kind::gnss_1_base_station_info: gnss_data_base_station_info
@@ -514,13 +534,14 @@ types:
             kind::gnss_2_fix_info: gnss_data_fix_info
             kind::gnss_2_sv_info: gnss_data_sv_info
             kind::gnss_2_hardware_status: gnss_data_hardware_status
-            kind::gnss_2_dgps_info: gnss_data_dgps_info
+            kind::gnss_2_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_2_dgps_channel: gnss_data_dgps_channel
             kind::gnss_2_clock_info_2: gnss_data_clock_info_2
             kind::gnss_2_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_2_sbas_info: gnss_data_sbas_info
             kind::gnss_2_sbas_correction: gnss_data_sbas_correction
             kind::gnss_2_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_2_heading: gnss_data_heading
             kind::gnss_2_satellite_status: gnss_data_satellite_status
             kind::gnss_2_raw: gnss_data_raw
             kind::gnss_2_base_station_info: gnss_data_base_station_info
@@ -543,13 +564,14 @@ types:
             kind::gnss_corrections_fix_info: gnss_data_fix_info
             kind::gnss_corrections_sv_info: gnss_data_sv_info
             kind::gnss_corrections_hardware_status: gnss_data_hardware_status
-            kind::gnss_corrections_dgps_info: gnss_data_dgps_info
+            kind::gnss_corrections_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_corrections_dgps_channel: gnss_data_dgps_channel
             kind::gnss_corrections_clock_info_2: gnss_data_clock_info_2
             kind::gnss_corrections_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_corrections_sbas_info: gnss_data_sbas_info
             kind::gnss_corrections_sbas_correction: gnss_data_sbas_correction
             kind::gnss_corrections_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_corrections_heading: gnss_data_heading
             kind::gnss_corrections_satellite_status: gnss_data_satellite_status
             kind::gnss_corrections_raw: gnss_data_raw
             kind::gnss_corrections_base_station_info: gnss_data_base_station_info
@@ -572,13 +594,14 @@ types:
             kind::gnss_external_fix_info: gnss_data_fix_info
             kind::gnss_external_sv_info: gnss_data_sv_info
             kind::gnss_external_hardware_status: gnss_data_hardware_status
-            kind::gnss_external_dgps_info: gnss_data_dgps_info
+            kind::gnss_external_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_external_dgps_channel: gnss_data_dgps_channel
             kind::gnss_external_clock_info_2: gnss_data_clock_info_2
             kind::gnss_external_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_external_sbas_info: gnss_data_sbas_info
             kind::gnss_external_sbas_correction: gnss_data_sbas_correction
             kind::gnss_external_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_external_heading: gnss_data_heading
             kind::gnss_external_satellite_status: gnss_data_satellite_status
             kind::gnss_external_raw: gnss_data_raw
             kind::gnss_external_base_station_info: gnss_data_base_station_info
@@ -601,13 +624,14 @@ types:
             kind::gnss_external_2_fix_info: gnss_data_fix_info
             kind::gnss_external_2_sv_info: gnss_data_sv_info
             kind::gnss_external_2_hardware_status: gnss_data_hardware_status
-            kind::gnss_external_2_dgps_info: gnss_data_dgps_info
+            kind::gnss_external_2_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_external_2_dgps_channel: gnss_data_dgps_channel
             kind::gnss_external_2_clock_info_2: gnss_data_clock_info_2
             kind::gnss_external_2_gps_leap_seconds: gnss_data_gps_leap_seconds
             kind::gnss_external_2_sbas_info: gnss_data_sbas_info
             kind::gnss_external_2_sbas_correction: gnss_data_sbas_correction
             kind::gnss_external_2_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_external_2_heading: gnss_data_heading
             kind::gnss_external_2_satellite_status: gnss_data_satellite_status
             kind::gnss_external_2_raw: gnss_data_raw
             kind::gnss_external_2_base_station_info: gnss_data_base_station_info
@@ -676,6 +700,42 @@ types:
         value: (_io.size <= 2 or byte_2 == 0x02)
       number:
         value: "fits_5 and _io.size >= 86 ? 5 : fits_4 and _io.size >= 80 ? 4 : fits_3 and _io.size >= 77 ? 3 : fits_6 and _io.size >= 73 ? 6 : fits_7 and _io.size >= 60 ? 7 : fits_2 and _io.size >= 51 ? 2 : fits_0 and _io.size >= 13 ? 0 : fits_1 and _io.size >= 11 ? 1 : fits_1 ? 1 : fits_0 ? 0 : fits_2 ? 2 : fits_7 ? 7 : fits_6 ? 6 : fits_3 ? 3 : fits_4 ? 4 : fits_5 ? 5 : -1"
+  sensor_pps_timestamp_layouts:
+    -kind: layouts
+    doc: The layout of the data, chosen by its constants and its size.
+    seq:
+      - id: layout
+        size-eos: true
+        type:
+          switch-on: number
+          cases:
+            0: sensor_pps_timestamp
+            1: sensor_pps_timestamp_with_flags
+    instances:
+      fits_0:
+        value: true
+      fits_1:
+        value: true
+      number:
+        value: "fits_1 and _io.size >= 9 ? 1 : fits_0 and _io.size >= 8 ? 0 : fits_0 ? 0 : fits_1 ? 1 : -1"
+  gnss_data_dgps_info_layouts:
+    -kind: layouts
+    doc: The layout of the data, chosen by its constants and its size.
+    seq:
+      - id: layout
+        size-eos: true
+        type:
+          switch-on: number
+          cases:
+            0: gnss_data_dgps_info
+            1: gnss_data_dgps_info_satellite
+    instances:
+      fits_0:
+        value: true
+      fits_1:
+        value: true
+      number:
+        value: "fits_1 and _io.size >= 15 ? 1 : fits_0 and _io.size >= 12 ? 0 : fits_0 ? 0 : fits_1 ? 1 : -1"
   vector3f:
     -kind: vector
     doc: Three floats.
@@ -1151,6 +1211,46 @@ types:
       - id: enable_ranging
         type: b1
         doc: SBAS pseudoranges are used in the position solution.
+  mip_3dm_data_conditioning_flags:
+    -kind: bits
+    doc: Processing steps of 3-series devices.
+    seq:
+      - id: unused_13
+        type: b3
+      - id: quaternion_calculation
+        type: b1
+        doc: Computes the quaternion.
+      - id: disable_up_compensation
+        type: b1
+        doc: Disables the correction of pitch and roll.
+      - id: disable_north_compensation
+        type: b1
+        doc: Disables the correction of the heading.
+      - id: mag_low_power
+        type: b1
+        doc: Reduces the power of the magnetometer.
+      - id: disable_mag
+        type: b1
+        doc: Switches the magnetometer off.
+      - id: unused_7
+        type: b1
+      - id: finite_size_correction
+        type: b1
+        doc: Corrects the distance between the accelerometers.
+      - id: nan_suppressed
+        type: b1
+        doc: Suppresses values that are not a number.
+      - id: little_endian_floats
+        type: b1
+        doc: Sends floats with the least significant byte first.
+      - id: unused_2
+        type: b2
+      - id: coning_sculling
+        type: b1
+        doc: Corrects coning and sculling.
+      - id: orientation_calculation
+        type: b1
+        doc: Computes the orientation.
   filter_estimated_states:
     -kind: bits
     doc: States that the filter estimates.
@@ -1326,8 +1426,13 @@ types:
     -kind: bits
     doc: Protocols of a port.
     seq:
+      - id: unused_30
+        type: b2
+      - id: sbf
+        type: b1
+        doc: SBF, the binary format of Septentrio receivers.
       - id: unused_25
-        type: b7
+        type: b4
       - id: spartn
         type: b1
         doc: SPARTN corrections.
@@ -1798,8 +1903,11 @@ types:
     -kind: bits
     doc: Which parts of the detection are valid.
     seq:
-      - id: unused_3
-        type: b13
+      - id: unused_4
+        type: b12
+      - id: frequency
+        type: b1
+        doc: Frequency; only set by firmware that sends it.
       - id: spoofing_state
         type: b1
         doc: Spoofing.
@@ -1811,7 +1919,26 @@ types:
         doc: Band.
     instances:
       flags:
-        value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0)"
+        value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0) + (frequency ? 8 : 0)"
+        doc: All of them.
+  gnss_data_heading_flags:
+    -kind: bits
+    doc: Which parts of the heading are valid.
+    seq:
+      - id: unused_3
+        type: b13
+      - id: fix_type
+        type: b1
+        doc: Kind of the fix.
+      - id: uncertainty
+        type: b1
+        doc: Uncertainty of the heading.
+      - id: heading
+        type: b1
+        doc: Heading.
+    instances:
+      flags:
+        value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
         doc: All of them.
   gnss_data_satellite_status_flags:
     -kind: bits
@@ -2616,7 +2743,7 @@ types:
     seq:
       - id: receiver_id
         type: u1
-        doc: "Receiver, counted from 1. Range: at least 1."
+        doc: "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1."
       - id: mip_data_descriptor_set
         type: u1
         doc: "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."
@@ -3022,6 +3149,18 @@ types:
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
         doc: "Whether the stream is sent. Default: true."
+  mip_3dm_raw_rtcm_2_3_message:
+    -orig-id: 3dm.raw_rtcm_2_3_message
+    doc: Raw RTCM 2.3 message. Sends RTCM 2.3 corrections to the GNSS receiver.
+    seq:
+      - id: data
+        type: u1
+        repeat: expr
+        repeat-expr: data_count
+        doc: Bytes of the RTCM stream.
+    instances:
+      data_count:
+        value: (_io.size - _io.pos) / 1
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
     doc: Constellation Settings. Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
@@ -3316,6 +3455,80 @@ types:
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
         doc: "The matrix in row-major order. Unit: 1."
+  mip_3dm_gps_dynamics_mode:
+    -orig-id: 3dm.gps_dynamics_mode
+    doc: GPS dynamics mode. Sets the dynamics that the GNSS receiver assumes of the vehicle.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: mode
+        type: u1
+        enum: mip_3dm_receiver_dynamics
+        if: function_value == function_selector::write or _io.size >= 2
+        doc: Assumed dynamics.
+  mip_3dm_imu_signal_conditioning:
+    -orig-id: 3dm.imu_signal_conditioning
+    doc: IMU signal conditioning. Configures the filters and the orientation algorithm of 3-series devices.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: orientation_decimation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 3
+        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+      - id: data_conditioning_flags
+        type: mip_3dm_data_conditioning_flags
+        if: function_value == function_selector::write or _io.size >= 5
+        doc: "Processing steps. Default: 3."
+      - id: inertial_filter_width
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+      - id: mag_filter_width
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 7
+        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+      - id: up_compensation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 9
+        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: north_compensation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 11
+        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: mag_bandwidth
+        type: u1
+        enum: mip_3dm_mag_bandwidth
+        if: function_value == function_selector::write or _io.size >= 12
+        doc: Bandwidth of the magnetometer.
+      - id: reserved
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 14
+        doc: "Reserved: send 0."
+  mip_3dm_imu_timestamp:
+    -orig-id: 3dm.imu_timestamp
+    doc: IMU timestamp. Sets or reads a counter of the time of the sensor data.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: selector
+        type: u1
+        enum: mip_3dm_imu_timestamp_selector
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
+        doc: Which counter.
+      - id: time
+        type: u4
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Value of the counter, in the unit that `selector` states."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
     doc: Accelerometer Bias Configuration. Bias that is subtracted from the scaled acceleration.
@@ -3575,6 +3788,53 @@ types:
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
         doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
+  mip_3dm_data_stream_format:
+    -orig-id: 3dm.data_stream_format
+    doc: Data stream format. Selects MIP data or the raw data of a sensor for a stream.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: stream
+        type: u1
+        enum: mip_3dm_internal_sensor
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
+        doc: The stream.
+      - id: format
+        type: u1
+        enum: mip_3dm_stream_format
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
+        doc: Its format.
+  mip_3dm_device_power_state:
+    -orig-id: 3dm.device_power_state
+    doc: Device power state. Sets the power state of an internal sensor.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: device
+        type: u1
+        enum: mip_3dm_internal_sensor
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
+        doc: The sensor.
+      - id: state
+        type: u1
+        enum: mip_3dm_sensor_power_state
+        if: function_value == function_selector::write or _io.size >= 3
+        doc: Its power state.
+  mip_3dm_gps_advanced_settings:
+    -orig-id: 3dm.gps_advanced_settings
+    doc: GPS advanced settings. Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
     doc: Device Status. Gets the state of the device, in basic form or with counters.
@@ -3652,6 +3912,35 @@ types:
       - id: enabled
         type: u1
         doc: Whether the stream is sent.
+  mip_3dm_imu_signal_conditioning_response:
+    -orig-id: 3dm.imu_signal_conditioning_response
+    doc: "IMU signal conditioning response. "
+    seq:
+      - id: orientation_decimation
+        type: u2
+        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+      - id: data_conditioning_flags
+        type: mip_3dm_data_conditioning_flags
+        doc: "Processing steps. Default: 3."
+      - id: inertial_filter_width
+        type: u1
+        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+      - id: mag_filter_width
+        type: u1
+        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+      - id: up_compensation
+        type: u2
+        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: north_compensation
+        type: u2
+        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: mag_bandwidth
+        type: u1
+        enum: mip_3dm_mag_bandwidth
+        doc: Bandwidth of the magnetometer.
+      - id: reserved
+        type: u2
+        doc: Reserved.
   mip_3dm_uart_baud_rate_response:
     -orig-id: 3dm.uart_baud_rate_response
     doc: "UART Baud Rate response. "
@@ -3659,6 +3948,30 @@ types:
       - id: baud
         type: u4
         doc: "Baud rate. Unit: Bd."
+  mip_3dm_data_stream_format_response:
+    -orig-id: 3dm.data_stream_format_response
+    doc: "Data stream format response. "
+    seq:
+      - id: stream
+        type: u1
+        enum: mip_3dm_internal_sensor
+        doc: The stream.
+      - id: format
+        type: u1
+        enum: mip_3dm_stream_format
+        doc: Its format.
+  mip_3dm_device_power_state_response:
+    -orig-id: 3dm.device_power_state_response
+    doc: "Device power state response. "
+    seq:
+      - id: device
+        type: u1
+        enum: mip_3dm_internal_sensor
+        doc: The sensor.
+      - id: state
+        type: u1
+        enum: mip_3dm_sensor_power_state
+        doc: Its power state.
   mip_3dm_get_filter_base_rate_response:
     -orig-id: 3dm.get_filter_base_rate_response
     doc: "Get Estimation Filter Data Base Rate response. "
@@ -4201,6 +4514,25 @@ types:
       - id: comm_port_read_overruns
         type: u4
         doc: "Overruns while reading from the port. Unit: 1."
+  mip_3dm_gps_dynamics_mode_response:
+    -orig-id: 3dm.gps_dynamics_mode_response
+    doc: "GPS dynamics mode response. "
+    seq:
+      - id: mode
+        type: u1
+        enum: mip_3dm_receiver_dynamics
+        doc: Assumed dynamics.
+  mip_3dm_imu_timestamp_response:
+    -orig-id: 3dm.imu_timestamp_response
+    doc: "IMU timestamp response. "
+    seq:
+      - id: selector
+        type: u1
+        enum: mip_3dm_imu_timestamp_selector
+        doc: Which counter.
+      - id: time
+        type: u4
+        doc: "Value of the counter, in the unit that `selector` states."
   mip_3dm_complementary_filter_response:
     -orig-id: 3dm.complementary_filter_response
     doc: "Complementary Filter Configuration response. "
@@ -4577,6 +4909,13 @@ types:
       - id: heading
         type: f4
         doc: "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+  filter_set_initial_attitude_from_imu:
+    -orig-id: filter.set_initial_attitude_from_imu
+    doc: Set initial attitude from IMU. Initializes the attitude of the filter with that of the complementary filter.
+    seq:
+      - id: declination
+        type: f4
+        doc: "Local declination of the magnetic field. Unit: rad."
   filter_run:
     -orig-id: filter.run
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
@@ -4680,10 +5019,10 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
@@ -4886,11 +5225,11 @@ types:
       - id: latitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
@@ -5564,10 +5903,10 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         doc: "Altitude. Unit: m."
@@ -5929,6 +6268,38 @@ types:
         repeat-expr: 4
         if: function_value == function_selector::write or _io.size >= 9
         doc: "Reserved: send 0."
+  gnss_receiver_reset:
+    -orig-id: gnss.receiver_reset
+    doc: Receiver reset. Resets a GNSS receiver of the device.
+    seq:
+      - id: receiver_id
+        type: u1
+        enum: gnss_receiver_id
+        doc: Receiver to reset.
+      - id: reset_type
+        type: u1
+        enum: gnss_receiver_reset_type
+        doc: How much restarts.
+  gnss_rtk_config:
+    -orig-id: gnss.rtk_config
+    doc: RTK configuration. Sets how readily the device fixes the ambiguities of an RTK solution.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: ambiguity_fix_mode
+        type: u1
+        enum: gnss_ambiguity_fix_mode
+        if: function_value == function_selector::write or _io.size >= 2
+        doc: How readily ambiguities are fixed.
+      - id: reserved
+        type: u1
+        repeat: expr
+        repeat-expr: 4
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Reserved: send 0."
   gnss_rtk_dongle_config:
     -orig-id: gnss.rtk_dongle_config
     doc: RTK dongle configuration. Switches the communication with a connected RTK dongle on or off.
@@ -6024,6 +6395,19 @@ types:
       - id: beidou_enable
         type: gnss_beidou_signals
         doc: BeiDou signals.
+      - id: reserved
+        type: u1
+        repeat: expr
+        repeat-expr: 4
+        doc: Reserved.
+  gnss_rtk_config_response:
+    -orig-id: gnss.rtk_config_response
+    doc: "RTK configuration response. "
+    seq:
+      - id: ambiguity_fix_mode
+        type: u1
+        enum: gnss_ambiguity_fix_mode
+        doc: How readily ambiguities are fixed.
       - id: reserved
         type: u1
         repeat: expr
@@ -6322,10 +6706,10 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.latitude` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.longitude` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
@@ -6671,7 +7055,7 @@ types:
     seq:
       - id: counts
         type: u4
-        doc: "Counter. Unit: 1."
+        doc: "Counter: 62 500 counts per second, 16 us each. Unit: 1."
   sensor_pps_timestamp:
     -orig-id: sensor.pps_timestamp
     doc: PPS timestamp. Time counted by the pulse per second.
@@ -6682,6 +7066,19 @@ types:
       - id: useconds
         type: u4
         doc: "Fraction of the second. Unit: us."
+  sensor_pps_timestamp_with_flags:
+    -orig-id: sensor.pps_timestamp_with_flags
+    doc: PPS timestamp with flags. Time counted by the pulse per second, with its state and nanoseconds.
+    seq:
+      - id: flags
+        type: u1
+        doc: State of the time.
+      - id: seconds
+        type: u4
+        doc: "Whole seconds. Unit: s."
+      - id: nanoseconds
+        type: u4
+        doc: "Fraction of the second. Unit: ns."
   sensor_north_vector:
     -orig-id: sensor.north_vector
     doc: Complementary filter stabilized north vector. Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
@@ -6762,10 +7159,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.lat_lon` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.lat_lon` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.ellipsoid_height` is set."
@@ -6997,6 +7394,25 @@ types:
       - id: valid_flags
         type: gnss_data_dgps_info_flags
         doc: Which values are valid.
+  gnss_data_dgps_info_satellite:
+    -orig-id: gnss_data.dgps_info_satellite
+    doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    seq:
+      - id: satellite_id
+        type: u1
+        doc: Number of the satellite.
+      - id: age
+        type: f4
+        doc: "Age of the correction. Unit: s. Valid if `valid_flags.age` is set."
+      - id: range_correction
+        type: f4
+        doc: "Correction of the range. Unit: m."
+      - id: range_rate_correction
+        type: f4
+        doc: "Correction of the range rate. Unit: m/s."
+      - id: valid_flags
+        type: gnss_data_dgps_info_flags
+        doc: Which values are valid.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
     doc: DGPS channel. Differential correction for one satellite.
@@ -7122,13 +7538,33 @@ types:
         type: u1
         enum: gnss_data_spoofing_state
         doc: "Spoofing. Valid if `valid_flags.spoofing_state` is set."
+      - id: frequency
+        type: u2
+        doc: "Centre frequency of the band. Unit: MHz. Valid if `valid_flags.frequency` is set."
       - id: reserved
         type: u1
         repeat: expr
-        repeat-expr: 4
+        repeat-expr: 2
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
+        doc: Which values are valid.
+  gnss_data_heading:
+    -orig-id: gnss_data.heading
+    doc: GNSS heading. Heading that the receiver computes from its antennas.
+    seq:
+      - id: heading
+        type: f4
+        doc: "Heading of the baseline between the antennas. Unit: deg. Valid if `valid_flags.heading` is set."
+      - id: uncertainty
+        type: f4
+        doc: "Uncertainty of the heading. Unit: deg. Valid if `valid_flags.uncertainty` is set."
+      - id: fix_type
+        type: u1
+        enum: gnss_data_heading_fix_type
+        doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
+      - id: valid_flags
+        type: gnss_data_heading_flags
         doc: Which values are valid.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
@@ -7766,10 +8202,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.valid` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.valid` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
@@ -8465,6 +8901,20 @@ types:
       - id: attitude_uncertainty
         type: vector3f
         doc: "Uncertainty of the rotation about each axis. Unit: rad."
+  displacement_data_displacement_raw:
+    -orig-id: displacement_data.displacement_raw
+    doc: Raw displacement. Displacement in counts of the converter.
+    seq:
+      - id: counts
+        type: u4
+        doc: "Displacement in counts. Unit: 1."
+  displacement_data_displacement:
+    -orig-id: displacement_data.displacement
+    doc: Displacement. Calibrated displacement of the sensor.
+    seq:
+      - id: displacement
+        type: f4
+        doc: "Displacement. Unit: mm."
   system_data_built_in_test:
     -orig-id: system_data.built_in_test
     doc: Built-in test. Flags of the tests that run all the time.
@@ -8758,6 +9208,11 @@ enums:
       -orig-id: 3dm.data_stream_control
       -role: command
       doc: Data Stream Control
+    0x0c20:
+      id: mip_3dm_raw_rtcm_2_3_message
+      -orig-id: 3dm.raw_rtcm_2_3_message
+      -role: command
+      doc: Raw RTCM 2.3 message
     0x0c21:
       id: mip_3dm_constellation_settings
       -orig-id: 3dm.constellation_settings
@@ -8833,6 +9288,21 @@ enums:
       -orig-id: 3dm.sensor_to_vehicle_transform_dcm
       -role: command
       doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
+    0x0c34:
+      id: mip_3dm_gps_dynamics_mode
+      -orig-id: 3dm.gps_dynamics_mode
+      -role: command
+      doc: GPS dynamics mode
+    0x0c35:
+      id: mip_3dm_imu_signal_conditioning
+      -orig-id: 3dm.imu_signal_conditioning
+      -role: command
+      doc: IMU signal conditioning
+    0x0c36:
+      id: mip_3dm_imu_timestamp
+      -orig-id: 3dm.imu_timestamp
+      -role: command
+      doc: IMU timestamp
     0x0c37:
       id: mip_3dm_accel_bias
       -orig-id: 3dm.accel_bias
@@ -8908,6 +9378,21 @@ enums:
       -orig-id: 3dm.low_pass_filter
       -role: command
       doc: Low-Pass Anti-Aliasing Filter
+    0x0c60:
+      id: mip_3dm_data_stream_format
+      -orig-id: 3dm.data_stream_format
+      -role: command
+      doc: Data stream format
+    0x0c61:
+      id: mip_3dm_device_power_state
+      -orig-id: 3dm.device_power_state
+      -role: command
+      doc: Device power state
+    0x0c62:
+      id: mip_3dm_gps_advanced_settings
+      -orig-id: 3dm.gps_advanced_settings
+      -role: command
+      doc: GPS advanced settings
     0x0c64:
       id: mip_3dm_device_status
       -orig-id: 3dm.device_status
@@ -8943,11 +9428,26 @@ enums:
       -orig-id: 3dm.data_stream_control_response
       -role: response
       doc: Data Stream Control response
+    0x0c86:
+      id: mip_3dm_imu_signal_conditioning_response
+      -orig-id: 3dm.imu_signal_conditioning_response
+      -role: response
+      doc: IMU signal conditioning response
     0x0c87:
       id: mip_3dm_uart_baud_rate_response
       -orig-id: 3dm.uart_baud_rate_response
       -role: response
       doc: UART Baud Rate response
+    0x0c88:
+      id: mip_3dm_data_stream_format_response
+      -orig-id: 3dm.data_stream_format_response
+      -role: response
+      doc: Data stream format response
+    0x0c89:
+      id: mip_3dm_device_power_state_response
+      -orig-id: 3dm.device_power_state_response
+      -role: response
+      doc: Device power state response
     0x0c8a:
       id: mip_3dm_get_filter_base_rate_response
       -orig-id: 3dm.get_filter_base_rate_response
@@ -8978,6 +9478,16 @@ enums:
       -orig-id: 3dm.device_status_basic_response
       -role: response
       doc: Basic Device Status
+    0x0c92:
+      id: mip_3dm_gps_dynamics_mode_response
+      -orig-id: 3dm.gps_dynamics_mode_response
+      -role: response
+      doc: GPS dynamics mode response
+    0x0c93:
+      id: mip_3dm_imu_timestamp_response
+      -orig-id: 3dm.imu_timestamp_response
+      -role: response
+      doc: IMU timestamp response
     0x0c97:
       id: mip_3dm_complementary_filter_response
       -orig-id: 3dm.complementary_filter_response
@@ -9123,6 +9633,11 @@ enums:
       -orig-id: filter.set_initial_heading
       -role: command
       doc: Set initial heading
+    0x0d04:
+      id: filter_set_initial_attitude_from_imu
+      -orig-id: filter.set_initial_attitude_from_imu
+      -role: command
+      doc: Set initial attitude from IMU
     0x0d05:
       id: filter_run
       -orig-id: filter.run
@@ -9603,6 +10118,16 @@ enums:
       -orig-id: gnss.signal_config
       -role: command
       doc: Signal configuration
+    0x0e03:
+      id: gnss_receiver_reset
+      -orig-id: gnss.receiver_reset
+      -role: command
+      doc: Receiver reset
+    0x0e04:
+      id: gnss_rtk_config
+      -orig-id: gnss.rtk_config
+      -role: command
+      doc: RTK configuration
     0x0e10:
       id: gnss_rtk_dongle_config
       -orig-id: gnss.rtk_dongle_config
@@ -9623,6 +10148,11 @@ enums:
       -orig-id: gnss.signal_config_response
       -role: response
       doc: Signal configuration response
+    0x0e84:
+      id: gnss_rtk_config_response
+      -orig-id: gnss.rtk_config_response
+      -role: response
+      doc: RTK configuration response
     0x0e90:
       id: gnss_rtk_dongle_config_response
       -orig-id: gnss.rtk_dongle_config_response
@@ -10028,6 +10558,11 @@ enums:
       -orig-id: gnss_data.rf_error_detection
       -role: data
       doc: RF error detection
+    0x8115:
+      id: gnss_data_heading
+      -orig-id: gnss_data.heading
+      -role: data
+      doc: GNSS heading
     0x8120:
       id: gnss_data_satellite_status
       -orig-id: gnss_data.satellite_status
@@ -10368,6 +10903,16 @@ enums:
       -orig-id: filter_data.aiding_frame_config_error_uncertainty
       -role: data
       doc: Aiding frame configuration error uncertainty
+    0x9001:
+      id: displacement_data_displacement_raw
+      -orig-id: displacement_data.displacement_raw
+      -role: data
+      doc: Raw displacement
+    0x9002:
+      id: displacement_data_displacement
+      -orig-id: displacement_data.displacement
+      -role: data
+      doc: Displacement
     0x9103:
       id: gnss_1_llh_position
       -orig-id: gnss_1.llh_position
@@ -10458,6 +11003,11 @@ enums:
       -orig-id: gnss_1.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9115:
+      id: gnss_1_heading
+      -orig-id: gnss_1.heading
+      -role: data
+      doc: GNSS heading
     0x9120:
       id: gnss_1_satellite_status
       -orig-id: gnss_1.satellite_status
@@ -10603,6 +11153,11 @@ enums:
       -orig-id: gnss_2.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9215:
+      id: gnss_2_heading
+      -orig-id: gnss_2.heading
+      -role: data
+      doc: GNSS heading
     0x9220:
       id: gnss_2_satellite_status
       -orig-id: gnss_2.satellite_status
@@ -10748,6 +11303,11 @@ enums:
       -orig-id: gnss_corrections.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9315:
+      id: gnss_corrections_heading
+      -orig-id: gnss_corrections.heading
+      -role: data
+      doc: GNSS heading
     0x9320:
       id: gnss_corrections_satellite_status
       -orig-id: gnss_corrections.satellite_status
@@ -10893,6 +11453,11 @@ enums:
       -orig-id: gnss_external.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9415:
+      id: gnss_external_heading
+      -orig-id: gnss_external.heading
+      -role: data
+      doc: GNSS heading
     0x9420:
       id: gnss_external_satellite_status
       -orig-id: gnss_external.satellite_status
@@ -11038,6 +11603,11 @@ enums:
       -orig-id: gnss_external_2.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9515:
+      id: gnss_external_2_heading
+      -orig-id: gnss_external_2.heading
+      -role: data
+      doc: GNSS heading
     0x9520:
       id: gnss_external_2_satellite_status
       -orig-id: gnss_external_2.satellite_status
@@ -11228,7 +11798,7 @@ enums:
       doc: Active while the pin is low. The pin needs the gpio feature.
     4:
       id: edge
-      doc: Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior selects the edge.
+      doc: "Active for one event cycle after an edge. Each edge is a new activation, but actions run once per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp feature, whose behavior selects the edge."
   event_threshold_type:
     1:
       id: window
@@ -11595,10 +12165,10 @@ enums:
       doc: GNSS error statistics. From a GNSS or the filter data set.
     129:
       id: msra
-      doc: "Proprietary PMSRA: Euler angles. From the filter data set."
+      doc: "Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in degrees with three decimals. From the filter data set."
     130:
       id: msrr
-      doc: "Proprietary PMSRR: acceleration and angular rate. From the sensor data set."
+      doc: "Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set."
   nmea_talker_id:
     0:
       id: ignored
@@ -11627,10 +12197,10 @@ enums:
       doc: The first port that is a UART or can be one.
     18:
       id: uart_2
-      doc: The second UART.
+      doc: The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models.
     19:
       id: uart_3
-      doc: The third UART.
+      doc: The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
     33:
       id: usb_1
       doc: First virtual serial port of USB.
@@ -11709,10 +12279,10 @@ enums:
       doc: No pulse.
     1:
       id: receiver_1
-      doc: From GNSS receiver 1.
+      doc: From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a fix.
     2:
       id: receiver_2
-      doc: From GNSS receiver 2.
+      doc: From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a fix.
     3:
       id: gpio
       doc: From a GPIO pin that is configured as a PPS input.
@@ -11726,6 +12296,52 @@ enums:
     2:
       id: action_types
       doc: Actions.
+  mip_3dm_receiver_dynamics:
+    0:
+      id: portable
+      doc: Low accelerations; fits most applications.
+    1:
+      id: fixed_value
+      -orig-id: fixed
+      doc: Fixed installation.
+    2:
+      id: stationary
+      doc: At rest.
+    3:
+      id: pedestrian
+      doc: Walking speed.
+    4:
+      id: automotive
+      doc: Road vehicles.
+    5:
+      id: sea
+      doc: Vessels at sea level.
+    6:
+      id: airborne_1g
+      doc: Aircraft with accelerations below 1 g.
+    7:
+      id: airborne_2g
+      doc: Aircraft with accelerations below 2 g.
+    8:
+      id: airborne_4g
+      doc: Aircraft with accelerations below 4 g.
+  mip_3dm_mag_bandwidth:
+    0:
+      id: high
+      doc: High bandwidth.
+    1:
+      id: low
+      doc: Low bandwidth.
+  mip_3dm_imu_timestamp_selector:
+    1:
+      id: beacon_seconds
+      doc: Seconds of the time beacon.
+    2:
+      id: beacon_nanoseconds
+      doc: Nanoseconds of the time beacon.
+    3:
+      id: internal_ticks
+      doc: Ticks of the internal clock.
   mip_3dm_odometer_mode:
     0:
       id: disabled
@@ -11749,6 +12365,33 @@ enums:
     4:
       id: pressure
       doc: Pressure sensor.
+  mip_3dm_internal_sensor:
+    1:
+      id: imu
+      doc: The inertial sensor.
+    2:
+      id: gnss
+      doc: The GNSS receiver.
+  mip_3dm_stream_format:
+    1:
+      id: standard
+      doc: MIP data fields.
+    2:
+      id: wrapped_raw
+      doc: Packets of the sensor itself, each in a MIP field.
+  mip_3dm_sensor_power_state:
+    1:
+      id: "on"
+      doc: Full power.
+    2:
+      id: low_power
+      doc: On with reduced power.
+    3:
+      id: sleep
+      doc: Asleep.
+    4:
+      id: "off"
+      doc: Off.
   mip_3dm_device_status_selector:
     1:
       id: basic
@@ -11970,6 +12613,48 @@ enums:
     1:
       id: vehicle
       doc: The origin of the vehicle.
+  gnss_receiver_id:
+    0:
+      id: all
+      doc: Every receiver; only for commands that accept it.
+    1:
+      id: internal_receiver_1
+      doc: The first receiver inside the device.
+    2:
+      id: internal_receiver_2
+      doc: The second receiver inside the device.
+    4:
+      id: user_receiver_1
+      doc: The first external receiver.
+    5:
+      id: user_receiver_2
+      doc: The second external receiver.
+  gnss_receiver_reset_type:
+    1:
+      id: hardware
+      doc: Resets the receiver by its reset line.
+    2:
+      id: cold
+      doc: Restarts all software of the receiver.
+    3:
+      id: warm
+      doc: Restarts the positioning engine only.
+    4:
+      id: hot
+      doc: Restarts the positioning engine and clears its ephemerides and almanacs.
+  gnss_ambiguity_fix_mode:
+    1:
+      id: "off"
+      doc: Never fixes them. The solution remains a float solution.
+    2:
+      id: conservative
+      doc: Fixes them late and with few wrong fixes.
+    3:
+      id: moderate
+      doc: Between conservative and aggressive.
+    4:
+      id: aggressive
+      doc: Fixes them as soon as possible.
   gnss_spartn_connection:
     0:
       id: none_value
@@ -12137,6 +12822,18 @@ enums:
     3:
       id: significant
       doc: Badly.
+  gnss_data_heading_fix_type:
+    0:
+      id: unknown
+      doc: Not known.
+    1:
+      id: float_value
+      -orig-id: float
+      doc: Real numbers, which is less accurate.
+    2:
+      id: fixed_value
+      -orig-id: fixed
+      doc: Whole numbers of cycles.
   gnss_data_signal_quality:
     0:
       id: none_value

@@ -159,8 +159,26 @@ F["3dm.sbas_options"] = {
 E["3dm.assisted_fix_option"] = { [0] = "none", [1] = "enabled", }
 E["3dm.pps_source"] = { [0] = "disabled", [1] = "receiver_1", [2] = "receiver_2", [3] = "gpio", [4] = "generated", }
 E["3dm.event_support_query"] = { [1] = "trigger_types", [2] = "action_types", }
+E["3dm.receiver_dynamics"] = { [0] = "portable", [1] = "fixed", [2] = "stationary", [3] = "pedestrian", [4] = "automotive", [5] = "sea", [6] = "airborne_1g", [7] = "airborne_2g", [8] = "airborne_4g", }
+F["3dm.data_conditioning_flags"] = {
+  { name = "orientation_calculation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Computes the orientation." },
+  { name = "coning_sculling", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Corrects coning and sculling." },
+  { name = "little_endian_floats", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Sends floats with the least significant byte first." },
+  { name = "nan_suppressed", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Suppresses values that are not a number." },
+  { name = "finite_size_correction", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Corrects the distance between the accelerometers." },
+  { name = "disable_mag", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Switches the magnetometer off." },
+  { name = "mag_low_power", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Reduces the power of the magnetometer." },
+  { name = "disable_north_compensation", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Disables the correction of the heading." },
+  { name = "disable_up_compensation", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Disables the correction of pitch and roll." },
+  { name = "quaternion_calculation", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Computes the quaternion." },
+}
+E["3dm.mag_bandwidth"] = { [0] = "high", [1] = "low", }
+E["3dm.imu_timestamp_selector"] = { [1] = "beacon_seconds", [2] = "beacon_nanoseconds", [3] = "internal_ticks", }
 E["3dm.odometer_mode"] = { [0] = "disabled", [2] = "quadrature", }
 E["3dm.sensor_range_type"] = { [0] = "all", [1] = "accel", [2] = "gyro", [3] = "mag", [4] = "pressure", }
+E["3dm.internal_sensor"] = { [1] = "imu", [2] = "gnss", }
+E["3dm.stream_format"] = { [1] = "standard", [2] = "wrapped_raw", }
+E["3dm.sensor_power_state"] = { [1] = "on", [2] = "low_power", [3] = "sleep", [4] = "off", }
 E["3dm.device_status_selector"] = { [1] = "basic", [2] = "diagnostic", }
 E["3dm.legacy_data_stream"] = { [0] = "all_streams", [1] = "imu", [2] = "gnss", [3] = "filter", }
 E["filter.dynamics_mode"] = { [1] = "portable", [2] = "automotive", [3] = "airborne", [4] = "airborne_high_g", }
@@ -223,6 +241,9 @@ F["gnss.beidou_signals"] = {
   { name = "b2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "B2." },
   { name = "b2a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "B2a." },
 }
+E["gnss.receiver_id"] = { [0] = "all", [1] = "internal_receiver_1", [2] = "internal_receiver_2", [4] = "user_receiver_1", [5] = "user_receiver_2", }
+E["gnss.receiver_reset_type"] = { [1] = "hardware", [2] = "cold", [3] = "warm", [4] = "hot", }
+E["gnss.ambiguity_fix_mode"] = { [1] = "off", [2] = "conservative", [3] = "moderate", [4] = "aggressive", }
 E["gnss.spartn_connection"] = { [0] = "none", [1] = "network", [2] = "l_band", }
 E["rtk.connected_device"] = { [0] = "generic", [1] = "gq7", }
 F["rtk.service_flags"] = {
@@ -249,6 +270,7 @@ F["system.comm_protocols"] = {
   { name = "nmea", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "NMEA-0183." },
   { name = "rtcm", at = 0, size = 4, mask = 512, shift = 9, width = 1, doc = "RTCM corrections." },
   { name = "spartn", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "SPARTN corrections." },
+  { name = "sbf", at = 0, size = 4, mask = 536870912, shift = 29, width = 1, doc = "SBF, the binary format of Septentrio receivers." },
 }
 E["system.protocol_mode"] = { [1] = "standard", [2] = "sensor_direct", [3] = "gnss_direct", }
 F["sensor.overrange_flags"] = {
@@ -404,6 +426,14 @@ F["gnss_data.rf_error_detection_flags"] = {
   { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Band." },
   { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Jamming." },
   { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Spoofing." },
+  { name = "frequency", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Frequency; only set by firmware that sends it." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
+F["gnss_data.heading_flags"] = {
+  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Heading." },
+  { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Uncertainty of the heading." },
+  { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Kind of the fix." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.satellite_status_flags"] = {
@@ -691,7 +721,7 @@ S["3dm.sensor_range_entry"] = {
   { kind = "scalar", name = "range", type = "float", size = 4, doc = "Largest measurable value." },
 }
 S["gnss.receiver_info_entry"] = {
-  { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
+  { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1." },
   { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE." },
   { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, separated by a comma." },
 }
@@ -711,21 +741,23 @@ local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", ro
 
 -- Descriptor sets.
 local SETS = {}
-SETS[0x01] = { number = 0x01, name = "base", title = "Base", fields = {}, named = { } }
-SETS[0x0C] = { number = 0x0C, name = "3dm", title = "3DM", fields = {}, named = { [0x20] = "Raw RTCM 2.3 Message", [0x8D] = "Poll Data Response", } }
-SETS[0x0D] = { number = 0x0D, name = "filter", title = "Filter commands", fields = {}, named = { [0x04] = "Set initial heading from mag", [0x0F] = "Select filter", [0x24] = "Auto heading update control", [0x25] = "Mag auto calibration control", [0x2A] = "Gravity noise minimum", [0x30] = "Low pass sensor filter", [0x48] = "Hot start control", [0x4A] = "Secondary velocity aiding control", [0x65] = "Sensor to vehicle calibration control", [0x8F] = "Select filter response", [0x91] = "Auto heading update control response", [0x92] = "Mag auto calibration control response", [0x95] = "Gravity noise minimum response", [0x98] = "Set initial heading response", [0xA0] = "Low pass sensor filter response", [0xB6] = "Mag angular rate error adaptive measurement control response", [0xB8] = "Hot start control response", [0xBA] = "Secondary velocity aiding control response", [0xE0] = "Speed measurement response", } }
-SETS[0x0E] = { number = 0x0E, name = "gnss", title = "GNSS commands", fields = {}, named = { } }
+SETS[0x01] = { number = 0x01, name = "base", title = "Base", fields = {}, named = { [0x71] = "GPS time broadcast", [0x73] = "System time", [0x7D] = "Firmware update", [0x7F] = "Production test", } }
+SETS[0x0C] = { number = 0x0C, name = "3dm", title = "3DM", fields = {}, named = { [0x3C] = "Realign up", [0x3D] = "Realign north", [0x63] = "Device settings (old)", [0x70] = "Raw clip settings", [0x8D] = "Poll Data Response", [0x91] = "Communications mode response", [0x94] = "IMU basic status response", [0x95] = "IMU advanced status response", [0x96] = "Raw clip settings response", } }
+SETS[0x0D] = { number = 0x0D, name = "filter", title = "Filter commands", fields = {}, named = { [0x0F] = "Select filter", [0x24] = "Auto heading update control", [0x25] = "Mag auto calibration control", [0x2A] = "Gravity noise minimum", [0x30] = "Low pass sensor filter", [0x48] = "Hot start control", [0x4A] = "Secondary velocity aiding control", [0x65] = "Sensor to vehicle calibration control", [0x8F] = "Select filter response", [0x91] = "Auto heading update control response", [0x92] = "Mag auto calibration control response", [0x95] = "Gravity noise minimum response", [0x98] = "Set initial heading response", [0xA0] = "Low pass sensor filter response", [0xB6] = "Mag angular rate error adaptive measurement control response", [0xB8] = "Hot start control response", [0xBA] = "Secondary velocity aiding control response", [0xE0] = "Speed measurement response", } }
+SETS[0x0E] = { number = 0x0E, name = "gnss", title = "GNSS commands", fields = {}, named = { [0x60] = "Receiver safe mode", } }
 SETS[0x0F] = { number = 0x0F, name = "rtk", title = "RTK commands", fields = {}, named = { } }
-SETS[0x13] = { number = 0x13, name = "aiding", title = "Aiding commands", fields = {}, named = { } }
+SETS[0x11] = { number = 0x11, name = "displacement", title = "Displacement commands", fields = {}, named = { [0x01] = "Get analog displacement calibration", [0x02] = "Displacement output rate", [0x04] = "Displacement device time", } }
+SETS[0x13] = { number = 0x13, name = "aiding", title = "Aiding commands", fields = {}, named = { [0x02] = "Sensor frame map", [0x03] = "Local frame", [0x20] = "Local position", [0x24] = "Relative height", [0x25] = "Pressure (old)", [0x2B] = "Wheel speed", [0x38] = "Delta position", [0x39] = "Delta attitude", [0x3A] = "Local angular rate", [0x82] = "Sensor frame map response", } }
 SETS[0x7F] = { number = 0x7F, name = "system", title = "System", fields = {}, named = { [0x01] = "MIPnet enumerate", [0x11] = "Hardware control", [0x12] = "Hardware control 2", [0x91] = "Hardware control response", [0x92] = "Hardware control 2 response", } }
-SETS[0x80] = { number = 0x80, name = "sensor", title = "Sensor data", fields = {}, named = { [0x15] = "Raw clip data", [0x81] = "ASPP", [0x82] = "GXSB", } }
-SETS[0x81] = { number = 0x81, name = "gnss_data", title = "GNSS data", fields = {}, named = { [0x21] = "Satellite signal status", } }
+SETS[0x80] = { number = 0x80, name = "sensor", title = "Sensor data", fields = {}, named = { [0x15] = "Raw clip data", [0x81] = "ASPP packet of the sensor", [0x82] = "Single-byte protocol packet of the sensor", } }
+SETS[0x81] = { number = 0x81, name = "gnss_data", title = "GNSS data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
 SETS[0x82] = { number = 0x82, name = "filter_data", title = "Filter data", fields = {}, named = { [0x23] = "Magnetometer scale factor", [0x24] = "Magnetometer scale factor uncertainty", [0x27] = "Compensated magnetometer", [0x2B] = "Gravity covariance", [0x2D] = "Magnetometer filtered residual", } }
-SETS[0x91] = { number = 0x91, name = "gnss_1", title = "GNSS receiver 1 data", fields = {}, named = { [0x21] = "Satellite signal status", } }
-SETS[0x92] = { number = 0x92, name = "gnss_2", title = "GNSS receiver 2 data", fields = {}, named = { [0x21] = "Satellite signal status", } }
-SETS[0x93] = { number = 0x93, name = "gnss_corrections", title = "GNSS corrections data", fields = {}, named = { [0x21] = "Satellite signal status", } }
-SETS[0x94] = { number = 0x94, name = "gnss_external", title = "External GNSS data", fields = {}, named = { [0x21] = "Satellite signal status", } }
-SETS[0x95] = { number = 0x95, name = "gnss_external_2", title = "External GNSS data 2", fields = {}, named = { [0x21] = "Satellite signal status", } }
+SETS[0x90] = { number = 0x90, name = "displacement_data", title = "Displacement data", fields = {}, named = { [0x04] = "Displacement timestamp", } }
+SETS[0x91] = { number = 0x91, name = "gnss_1", title = "GNSS receiver 1 data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
+SETS[0x92] = { number = 0x92, name = "gnss_2", title = "GNSS receiver 2 data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
+SETS[0x93] = { number = 0x93, name = "gnss_corrections", title = "GNSS corrections data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
+SETS[0x94] = { number = 0x94, name = "gnss_external", title = "External GNSS data", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
+SETS[0x95] = { number = 0x95, name = "gnss_external_2", title = "External GNSS data 2", fields = {}, named = { [0x01] = "NMEA sentence of the receiver", [0x02] = "UBX packet of the receiver", [0x21] = "Satellite signal status", [0x72] = "GLONASS ionospheric correction", } }
 SETS[0xA0] = { number = 0xA0, name = "system_data", title = "System data", fields = {}, named = { } }
 SETS[0xFF] = { number = 0xFF, name = "shared", title = "Shared data", fields = {}, named = { [0xFF] = "Debug ticks", } }
 
@@ -967,6 +999,12 @@ field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", t
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the stream is sent. Default: true." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data Stream Control" }, })
+field({ descriptor = 0x20, name = "3dm.raw_rtcm_2_3_message", role = "command", title = "Raw RTCM 2.3 message",
+    doc = "Sends RTCM 2.3 corrections to the GNSS receiver.", least = 0,
+    always = 1,
+    rows = {
+      { kind = "array", name = "data", capacity = 253, size = 1, doc = "Bytes of the RTCM stream.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    } }, { { set = 0x0C, name = "3dm.raw_rtcm_2_3_message", title = "Raw RTCM 2.3 message" }, })
 field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
     doc = "Constellations that the GNSS receiver tracks, and how its tracking channels are shared.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
@@ -1092,6 +1130,35 @@ field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = 
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix" }, })
+field({ descriptor = 0x34, name = "3dm.gps_dynamics_mode", role = "command", title = "GPS dynamics mode",
+    doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle.", least = 1,
+    required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.receiver_dynamics"], doc = "Assumed dynamics." }, } },
+    } }, { { set = 0x0C, name = "3dm.gps_dynamics_mode", title = "GPS dynamics mode" }, })
+field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command", title = "IMU signal conditioning",
+    doc = "Configures the filters and the orientation algorithm of 3-series devices.", least = 1,
+    required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "data_conditioning_flags", type = "u16", size = 2, flags = F["3dm.data_conditioning_flags"], doc = "Processing steps. Default: 3." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer." }, } },
+      { kind = "group", first = 8, last = 8, body = { { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved: send 0." }, } },
+    } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning", title = "IMU signal conditioning" }, })
+field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title = "IMU timestamp",
+    doc = "Sets or reads a counter of the time of the sensor data.", least = 1,
+    required = { [1] = 2, [2] = 1, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Which counter." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." }, } },
+    } }, { { set = 0x0C, name = "3dm.imu_timestamp", title = "IMU timestamp" }, })
 field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
     doc = "Bias that is subtracted from the scaled acceleration.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
@@ -1214,6 +1281,29 @@ field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." }, } },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-Pass Anti-Aliasing Filter" }, })
+field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", title = "Data stream format",
+    doc = "Selects MIP data or the raw data of a sensor for a stream.", least = 1,
+    required = { [1] = 2, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The stream." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." }, } },
+    } }, { { set = 0x0C, name = "3dm.data_stream_format", title = "Data stream format" }, })
+field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", title = "Device power state",
+    doc = "Sets the power state of an internal sensor.", least = 1,
+    required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
+    timeout = 5.0,
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Its power state." }, } },
+    } }, { { set = 0x0C, name = "3dm.device_power_state", title = "Device power state" }, })
+field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command", title = "GPS advanced settings",
+    doc = "Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.", least = 1,
+    required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+    } }, { { set = 0x0C, name = "3dm.gps_advanced_settings", title = "GPS advanced settings" }, })
 field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
     doc = "Gets the state of the device, in basic form or with counters.", least = 3,
     always = 2,
@@ -1261,12 +1351,39 @@ field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "re
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "Whether the stream is sent." },
     } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
+field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
+    doc = "", least = 13,
+    always = 8,
+    rows = {
+      { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." },
+      { kind = "scalar", name = "data_conditioning_flags", type = "u16", size = 2, flags = F["3dm.data_conditioning_flags"], doc = "Processing steps. Default: 3." },
+      { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15." },
+      { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." },
+      { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer." },
+      { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved." },
+    } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning_response", title = "IMU signal conditioning response" }, })
 field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
     doc = "", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
+field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
+    doc = "", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The stream." },
+      { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." },
+    } }, { { set = 0x0C, name = "3dm.data_stream_format_response", title = "Data stream format response" }, })
+field({ descriptor = 0x89, name = "3dm.device_power_state_response", role = "response", title = "Device power state response",
+    doc = "", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." },
+      { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Its power state." },
+    } }, { { set = 0x0C, name = "3dm.device_power_state_response", title = "Device power state response" }, })
 field({ descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get Estimation Filter Data Base Rate response",
     doc = "", least = 2,
     always = 1,
@@ -1498,6 +1615,19 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic Device Status of an IMU" }, })
+field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
+    doc = "", least = 1,
+    always = 1,
+    rows = {
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.receiver_dynamics"], doc = "Assumed dynamics." },
+    } }, { { set = 0x0C, name = "3dm.gps_dynamics_mode_response", title = "GPS dynamics mode response" }, })
+field({ descriptor = 0x93, name = "3dm.imu_timestamp_response", role = "response", title = "IMU timestamp response",
+    doc = "", least = 5,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Which counter." },
+      { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." },
+    } }, { { set = 0x0C, name = "3dm.imu_timestamp_response", title = "IMU timestamp response" }, })
 field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
     doc = "", least = 10,
     always = 4,
@@ -1718,6 +1848,12 @@ field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command"
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
+field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
+    doc = "Initializes the attitude of the filter with that of the complementary filter.", least = 4,
+    always = 1,
+    rows = {
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Local declination of the magnetic field. Unit: rad." },
+    } }, { { set = 0x0D, name = "filter.set_initial_attitude_from_imu", title = "Set initial attitude from IMU" }, })
 field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
     doc = "Starts a filter that is configured to wait for this command.", least = 0,
     always = 0,
@@ -1773,8 +1909,8 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -1881,8 +2017,8 @@ field({ descriptor = 0x26, name = "filter.reference_position", role = "command",
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
@@ -2221,8 +2357,8 @@ field({ descriptor = 0x90, name = "filter.reference_position_response", role = "
     always = 4,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
       { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
     } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
 field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
@@ -2446,6 +2582,21 @@ field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title 
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.signal_config", title = "Signal configuration" }, })
+field({ descriptor = 0x03, name = "gnss.receiver_reset", role = "command", title = "Receiver reset",
+    doc = "Resets a GNSS receiver of the device.", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, enum = E["gnss.receiver_id"], doc = "Receiver to reset." },
+      { kind = "scalar", name = "reset_type", type = "u8", size = 1, enum = E["gnss.receiver_reset_type"], doc = "How much restarts." },
+    } }, { { set = 0x0E, name = "gnss.receiver_reset", title = "Receiver reset" }, })
+field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "RTK configuration",
+    doc = "Sets how readily the device fixes the ambiguities of an RTK solution.", least = 1,
+    required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
+    } }, { { set = 0x0E, name = "gnss.rtk_config", title = "RTK configuration" }, })
 field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
     doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
@@ -2485,6 +2636,13 @@ field({ descriptor = 0x82, name = "gnss.signal_config_response", role = "respons
       { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.signal_config_response", title = "Signal configuration response" }, })
+field({ descriptor = 0x84, name = "gnss.rtk_config_response", role = "response", title = "RTK configuration response",
+    doc = "", least = 5,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." },
+      { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    } }, { { set = 0x0E, name = "gnss.rtk_config_response", title = "RTK configuration response" }, })
 field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
     doc = "", least = 4,
     always = 2,
@@ -2670,8 +2828,8 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.latitude is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.longitude is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.latitude is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
@@ -2879,7 +3037,7 @@ field({ descriptor = 0x0E, name = "sensor.internal_timestamp", role = "data", ti
     doc = "Free-running counter of the device.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter. Unit: 1." },
+      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter: 62 500 counts per second, 16 us each. Unit: 1." },
     } }, { { set = 0x80, name = "sensor.internal_timestamp", title = "Internal timestamp" }, })
 field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
     doc = "Time counted by the pulse per second.", least = 8,
@@ -2888,6 +3046,14 @@ field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title =
       { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
       { kind = "scalar", name = "useconds", type = "u32", size = 4, units = {"us", }, doc = "Fraction of the second. Unit: us." },
     } }, { { set = 0x80, name = "sensor.pps_timestamp", title = "PPS timestamp" }, })
+field({ descriptor = 0x0F, name = "sensor.pps_timestamp_with_flags", role = "data", title = "PPS timestamp with flags",
+    doc = "Time counted by the pulse per second, with its state and nanoseconds.", least = 9,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "State of the time." },
+      { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
+      { kind = "scalar", name = "nanoseconds", type = "u32", size = 4, units = {"ns", }, doc = "Fraction of the second. Unit: ns." },
+    } }, { { set = 0x80, name = "sensor.pps_timestamp_with_flags", title = "PPS timestamp with flags" }, })
 field({ descriptor = 0x10, name = "sensor.north_vector", role = "data", title = "Complementary filter stabilized north vector",
     doc = "Estimate of the geomagnetic field by the complementary filter, free of short disturbances.", least = 12,
     always = 1,
@@ -2948,8 +3114,8 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Valid if valid_flags.horizontal_accuracy is set." },
@@ -3067,6 +3233,16 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
+field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
+    doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
+    always = 5,
+    rows = {
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
     always = 5,
@@ -3123,14 +3299,25 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
+    always = 6,
     rows = {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
       { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
-      { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
+      { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
+field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
+    doc = "Heading that the receiver computes from its antennas.", least = 11,
+    always = 4,
+    plain = true,
+    rows = {
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Valid if valid_flags.uncertainty is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
@@ -3379,8 +3566,8 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
     doc = "Estimated position.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
@@ -3818,6 +4005,19 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
       { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
+field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
+    doc = "Displacement in counts of the converter.", least = 4,
+    always = 1,
+    rows = {
+      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Displacement in counts. Unit: 1." },
+    } }, { { set = 0x90, name = "displacement_data.displacement_raw", title = "Raw displacement" }, })
+field({ descriptor = 0x02, name = "displacement_data.displacement", role = "data", title = "Displacement",
+    doc = "Calibrated displacement of the sensor.", least = 4,
+    always = 1,
+    plain = true,
+    rows = {
+      { kind = "scalar", name = "displacement", type = "float", size = 4, units = {"mm", }, doc = "Displacement. Unit: mm." },
+    } }, { { set = 0x90, name = "displacement_data.displacement", title = "Displacement" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,
     always = 1,

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 from bad_spec_files import BASE
 from mipgen import cli
 from mipgen.audit import sdk
 from mipgen.audit.sdk import audit
+from mipgen.read.nodes import Node
+from mipgen.read.position import Position
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
 from small_specs import field
 from spec_defaults import filled
+
+HERE = Position("layouts.yaml", 1, 1)
+
+
+def at(value: Any) -> Node:
+    return Node(value, HERE)
+
 
 COMMANDS = """\
 set: 0x05
@@ -291,3 +301,14 @@ def test_a_magnitude_bounds_the_elements() -> None:
     a, b = field(vectors).parameters
     assert [sdk._range(a, given) for given in ("", ">= -5 <= 5", ">= -6 <= 6")] == ["", ">= -5 <= 5", ""]
     assert sdk._range(b, "") == ""
+
+
+def test_a_specification_that_is_ahead_of_the_source() -> None:
+    """Bits may be new, and what was reserved may have values."""
+    assert sdk._ahead(frozenset({(0, 0), (1, 1), (0, 1)}), frozenset({(0, 0)}))
+    assert sdk._ahead(frozenset({(0, 0), (1, 1), (2, 2), (0, 2)}), frozenset({(0, 0), (1, 1), (0, 1)}))
+    assert not sdk._ahead(frozenset({(0, 0), (2, 2)}), frozenset({(0, 0), (1, 1)}))
+    assert not sdk._ahead(frozenset({0, 1}), frozenset({0}))
+    ours = field("[{name: a, type: u8}, {name: b, type: u16}, {name: c, type: u8, count: 2, reserved: 0}]").parameters
+    reserved = [Node({"reserved": at(0), "type": at("u8"), "count": at(count)}, HERE) for count in (4, 5)]
+    assert [len(sdk._without_reserved(ours, [at({}), node])[0]) for node in reserved] == [1, 3]

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from . import aio as aio
     from . import base as base
     from . import devices as devices
+    from . import displacement as displacement
+    from . import displacement_data as displacement_data
     from . import filter as filter
     from . import filter_data as filter_data
     from . import gnss as gnss

@@ -662,8 +662,10 @@ class LlhPosition(Command[None]):
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
-    sends the data back in a response of unknown layout.
+    Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of
+    latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
+    In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -701,9 +703,13 @@ class LlhPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LATITUDE` of `valid_flags` is set."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhAxisFlags.LATITUDE` of
+    `valid_flags` is set.
+    """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhAxisFlags.LONGITUDE` of
+    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
+    one.
     """
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of

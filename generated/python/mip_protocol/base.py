@@ -260,6 +260,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    - 3dm-cv7-gnss-ins: Timestamps
     """
 
     __slots__ = ("week_number",)
@@ -303,6 +304,7 @@ class GpsTimeUpdateTowResponse(Response):
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    - 3dm-cv7-gnss-ins: Timestamps
     """
 
     __slots__ = ("tow",)
@@ -870,14 +872,17 @@ class GpsTimeUpdate(Command[R]):
     `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
     3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write` only.
 
-    Send it once for the time of week and once for the week number after the PPS is locked. The PPS
-    supplies the fraction of the second; send the whole second that began at its last edge. Send it
-    within 250 ms after the rising edge of the PPS. Once per second is recommended for the
-    3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once. Send it again after a glitch of the
-    PPS. It is usually not needed if an internal GNSS receiver is the PPS source.
+    Send it once for the time of week and once for the week number after the PPS is locked. On the
+    3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;
+    `shared.ExternalTimestamp` then has it, too. The PPS supplies the fraction of the second; send
+    the whole second that began at its last edge. Send it within 250 ms after the rising edge of the
+    PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least
+    once. Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
+    receiver is the PPS source.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    - 3dm-cv7-gnss-ins: Timestamps
     """
 
     __slots__ = ("function", "field_id", "value")

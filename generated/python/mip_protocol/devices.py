@@ -1344,6 +1344,7 @@ GQ4_45 = Device(
             (0x0C, 0x0A),  # 3dm.filter_message_format
             (0x0C, 0x0B),  # 3dm.get_filter_base_rate
             (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
             (0x0C, 0x21),  # 3dm.constellation_settings
             (0x0C, 0x22),  # 3dm.gnss_sbas_settings
             (0x0C, 0x30),  # 3dm.device_settings
@@ -1745,6 +1746,18 @@ GX3_35 = Device(
         ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
         (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
         (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x34): "The SDK of 2014 has an example for this device.",  # 3dm.gps_dynamics_mode
+        (
+            0x0C,
+            0x35,
+        ): "The SDK of 2014 has an example for this device.",  # 3dm.imu_signal_conditioning
+        (0x0C, 0x36): "The SDK of 2014 has an example for this device.",  # 3dm.imu_timestamp
+        (0x0C, 0x60): "The SDK of 2014 has an example for this device.",  # 3dm.data_stream_format
+        (0x0C, 0x61): "The SDK of 2014 has an example for this device.",  # 3dm.device_power_state
+        (
+            0x0C,
+            0x62,
+        ): "The SDK of 2014 has an example for this device.",  # 3dm.gps_advanced_settings
     },
     incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
@@ -1757,6 +1770,7 @@ number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
+- mip-sdk-2014: Example of the 3DM-GX3-35
 """
 
 GX3_45 = Device(
@@ -1788,6 +1802,10 @@ GX3_45 = Device(
         ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
         (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
         (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (
+            0x0D,
+            0x04,
+        ): "The SDK of 2014 has an example for this device.",  # filter.set_initial_attitude_from_imu
         (0x0D, 0x10): "MSCL lists the choices for this device.",  # filter.vehicle_dynamics_mode
         (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
         (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
@@ -1811,6 +1829,7 @@ number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
+- mip-sdk-2014: Example of the 3DM-GX3-45
 """
 
 GX4_15 = Device(
@@ -2466,6 +2485,7 @@ GX5_45 = Device(
             (0x0C, 0x09),  # 3dm.gnss_message_format
             (0x0C, 0x0A),  # 3dm.filter_message_format
             (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
             (0x0C, 0x30),  # 3dm.device_settings
             (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
             (0x0C, 0x40),  # 3dm.uart_baud_rate
@@ -2806,6 +2826,7 @@ RQ1_45_LT = Device(
             (0x0C, 0x0A),  # 3dm.filter_message_format
             (0x0C, 0x0B),  # 3dm.get_filter_base_rate
             (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
             (0x0C, 0x30),  # 3dm.device_settings
             (0x0C, 0x37),  # 3dm.accel_bias
             (0x0C, 0x38),  # 3dm.gyro_bias
@@ -2897,6 +2918,7 @@ RQ1_45_ST = Device(
             (0x0C, 0x0A),  # 3dm.filter_message_format
             (0x0C, 0x0B),  # 3dm.get_filter_base_rate
             (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
             (0x0C, 0x30),  # 3dm.device_settings
             (0x0C, 0x37),  # 3dm.accel_bias
             (0x0C, 0x38),  # 3dm.gyro_bias

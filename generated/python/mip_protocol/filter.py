@@ -936,9 +936,11 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+    states; 0 to 360 is the other usual one.
+    """
     altitude: float
     """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
     manual does not say; its glossary counts altitudes from sea level.
@@ -1260,6 +1262,7 @@ class MagneticDeclinationSourceResponse(Response):
     3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     __slots__ = ("source", "declination")
@@ -1276,8 +1279,8 @@ class MagneticDeclinationSourceResponse(Response):
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The manual says that it is required only if it is, but gives one
-    length.
+    out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
+    is, but give one length, with the value. Sending it always fits both.
     """
 
     def __init__(self, source: MagParameterSource, declination: float) -> None:
@@ -1754,7 +1757,8 @@ class MagneticInclinationSourceResponse(Response):
     """Source of the inclination."""
     inclination: float
     """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK always sends it.
+    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(self, source: MagParameterSource, inclination: float) -> None:
@@ -1800,7 +1804,8 @@ class MagneticMagnitudeSourceResponse(Response):
     """Source of the magnitude."""
     magnitude: float
     """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK always sends it.
+    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(self, source: MagParameterSource, magnitude: float) -> None:
@@ -2681,6 +2686,52 @@ class SetInitialHeading(Command[None]):
         return codec.finished(out)
 
 
+_SET_INITIAL_ATTITUDE_FROM_IMU_0 = codec.Block("f", "declination")
+
+
+class SetInitialAttitudeFromImu(Command[None]):
+    """Set initial attitude from IMU (0x0D,0x04).
+
+    Initializes the attitude of the filter with that of the complementary filter.
+
+    Also called `set_initial_heading_from_mag`. May be supported by 3DM-GX3-45. Known only from the
+    MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name.
+    The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+    layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+
+    - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
+    - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
+    - mscl: Set Initial Attitude From AHRS (0x0D,0x04)
+    """
+
+    __slots__ = ("declination",)
+    __match_args__ = ("declination",)
+
+    SET = 0x0D
+    SETS = (0x0D,)
+    DESCRIPTOR = 0x04
+    NAME = "filter.set_initial_attitude_from_imu"
+    ROLE = "command"
+    _LAYOUT = (("declination", "f", None),)
+
+    declination: float
+    """Local declination of the magnetic field. Unit: rad."""
+
+    def __init__(self, declination: float) -> None:
+        self.declination = declination
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitudeFromImu, int]:
+        v = _SET_INITIAL_ATTITUDE_FROM_IMU_0.read(raw, at)
+        at += 4
+        declination = v[0]
+        return cls(declination), at
+
+    def _write(self) -> bytes:
+        out = _SET_INITIAL_ATTITUDE_FROM_IMU_0.write(self.declination)
+        return codec.finished(out)
+
+
 class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
 
@@ -2833,12 +2884,14 @@ class SensorToVehicleRotationEuler(Command[R]):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
+    formula. The text of the manual lacks it; it is the inverse of that of
+    `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
     vector of the filter. The 3DM-CV7 uses the inverse instead:
-    `mip_3dm.SensorToVehicleTransformEuler`.
+    `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -3466,9 +3519,11 @@ class ExternalGnssUpdate(Command[None]):
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+    states; 0 to 360 is the other usual one.
+    """
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
@@ -4791,9 +4846,11 @@ class ReferencePosition(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
-    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for `write`."""
     longitude: float | None
-    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for `write`. Uncertain: The
+    range, which no source states; 0 to 360 is the other usual one.
+    """
     altitude: float | None
     """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or
     from sea level. The manual does not say; its glossary counts altitudes from sea level.
@@ -5618,6 +5675,7 @@ class MagneticDeclinationSource(Command[R]):
     Without a good declination source, keep automatic magnetometer calibration off.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     __slots__ = ("function", "source", "declination")
@@ -5640,8 +5698,8 @@ class MagneticDeclinationSource(Command[R]):
     """
     declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The manual says that it is required only
-    if it is, but gives one length.
+    Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
+    require it only if it is, but give one length, with the value. Sending it always fits both.
     """
 
     def __init__(
@@ -6711,7 +6769,8 @@ class MagneticInclinationSource(Command[R]):
     """Source of the inclination. Required for `write`."""
     inclination: float | None
     """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK always sends it.
+    Whether it may be left out if `source` is not manual, as the manuals state for
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -6836,7 +6895,8 @@ class MagneticMagnitudeSource(Command[R]):
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK always sends it.
+    Whether it may be left out if `source` is not manual, as the manuals state for
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -8862,6 +8922,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Reset,),
     0x02: (SetInitialAttitude,),
     0x03: (SetInitialHeading,),
+    0x04: (SetInitialAttitudeFromImu,),
     0x05: (Run,),
     0x10: (VehicleDynamicsMode,),
     0x11: (SensorToVehicleRotationEuler,),

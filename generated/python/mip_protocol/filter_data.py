@@ -362,9 +362,14 @@ class LlhPosition(Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
+    one.
+    """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags`
     is set.

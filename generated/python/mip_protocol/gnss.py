@@ -23,13 +23,16 @@ class ReceiverInfoEntry(Structure):
     """One GNSS receiver.
 
     - 3dm-cv7-gnss-ins: Info
+    - mip-sdk-4: Receiver Info (0x0E,0x01)
     """
 
     __slots__ = ("receiver_id", "mip_data_descriptor_set", "description")
     __match_args__ = ("receiver_id", "mip_data_descriptor_set", "description")
 
     receiver_id: int
-    """Receiver, counted from 1. Range: at least 1."""
+    """Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at
+    least 1.
+    """
     mip_data_descriptor_set: int
     """Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."""
     description: str
@@ -101,6 +104,62 @@ class BeidouSignals(IntFlag):
     """B2. Bit 1."""
     B2A = 1 << 2
     """B2a. Bit 2."""
+
+
+class ReceiverId(codec.OpenEnum):
+    """A GNSS receiver.
+
+    - mip-sdk-4: Receiver Reset (0x0E,0x03)
+    """
+
+    ALL = 0
+    """Every receiver; only for commands that accept it."""
+    INTERNAL_RECEIVER_1 = 1
+    """The first receiver inside the device."""
+    INTERNAL_RECEIVER_2 = 2
+    """The second receiver inside the device."""
+    USER_RECEIVER_1 = 4
+    """The first external receiver."""
+    USER_RECEIVER_2 = 5
+    """The second external receiver."""
+
+
+class ReceiverResetType(codec.OpenEnum):
+    """How much a receiver restarts.
+
+    - mip-sdk-4: Receiver Reset (0x0E,0x03)
+    """
+
+    HARDWARE = 1
+    """Resets the receiver by its reset line."""
+    COLD = 2
+    """Restarts all software of the receiver."""
+    WARM = 3
+    """Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK calls
+    3 hot and 4 warm, with the same descriptions of the two numbers; GNSS receivers usually keep
+    their satellite data in a hot start and lose it in a warm one.
+    """
+    HOT = 4
+    """Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name,
+    which an earlier branch of the SDK exchanges with that of 3.
+    """
+
+
+class AmbiguityFixMode(codec.OpenEnum):
+    """How readily RTK fixes the carrier phase ambiguities to whole numbers. Uncertain: The
+    descriptions of `conservative` and `moderate`, which follow from the names.
+
+    - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+    """
+
+    OFF = 1
+    """Never fixes them. The solution remains a float solution."""
+    CONSERVATIVE = 2
+    """Fixes them late and with few wrong fixes."""
+    MODERATE = 3
+    """Between conservative and aggressive."""
+    AGGRESSIVE = 4
+    """Fixes them as soon as possible."""
 
 
 class SpartnConnection(codec.OpenEnum):
@@ -235,6 +294,54 @@ class SignalConfigResponse(Response):
             self.galileo_enable,
             self.beidou_enable,
             *codec.exactly("reserved", self.reserved, 4),
+        )
+        return codec.finished(out)
+
+
+_RTK_CONFIG_RESPONSE_0 = codec.Block("BBBBB", "ambiguity_fix_mode", *["reserved"] * 4)
+
+
+class RtkConfigResponse(Response):
+    """RTK configuration response (0x0E,0x84).
+
+    Also called `rtk_configuration_response`. Answers `RtkConfig`. Known only from the MicroStrain
+    MIP SDK.
+
+    - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+    """
+
+    __slots__ = ("ambiguity_fix_mode", "reserved")
+    __match_args__ = ("ambiguity_fix_mode", "reserved")
+
+    SET = 0x0E
+    SETS = (0x0E,)
+    DESCRIPTOR = 0x84
+    NAME = "gnss.rtk_config_response"
+    ROLE = "response"
+    _LAYOUT = (("ambiguity_fix_mode", "B", AmbiguityFixMode), ("reserved", "BBBB", tuple))
+
+    ambiguity_fix_mode: AmbiguityFixMode
+    """How readily ambiguities are fixed."""
+    reserved: tuple[int, int, int, int]
+    """Reserved."""
+
+    def __init__(
+        self, ambiguity_fix_mode: AmbiguityFixMode, reserved: Sequence[int] = (0, 0, 0, 0)
+    ) -> None:
+        self.ambiguity_fix_mode = ambiguity_fix_mode
+        self.reserved = codec.several(reserved)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkConfigResponse, int]:
+        v = _RTK_CONFIG_RESPONSE_0.read(raw, at)
+        at += 5
+        ambiguity_fix_mode = AmbiguityFixMode(v[0])
+        reserved = v[1:5]
+        return cls(ambiguity_fix_mode, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_CONFIG_RESPONSE_0.write(
+            self.ambiguity_fix_mode, *codec.exactly("reserved", self.reserved, 4)
         )
         return codec.finished(out)
 
@@ -644,6 +751,177 @@ class SignalConfig(Command[R]):
         return codec.finished(out)
 
 
+_RECEIVER_RESET_0 = codec.Block("BB", "receiver_id", "reset_type")
+
+
+class ReceiverReset(Command[None]):
+    """Receiver reset (0x0E,0x03).
+
+    Resets a GNSS receiver of the device.
+
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
+    devices have it. The SDK does not name any.
+
+    Only internal receivers can be reset. Some devices lack some of the reset types.
+
+    - mip-sdk-4: Receiver Reset (0x0E,0x03)
+    """
+
+    __slots__ = ("receiver_id", "reset_type")
+    __match_args__ = ("receiver_id", "reset_type")
+
+    SET = 0x0E
+    SETS = (0x0E,)
+    DESCRIPTOR = 0x03
+    NAME = "gnss.receiver_reset"
+    ROLE = "command"
+    _LAYOUT = (("receiver_id", "B", ReceiverId), ("reset_type", "B", ReceiverResetType))
+
+    receiver_id: ReceiverId
+    """Receiver to reset."""
+    reset_type: ReceiverResetType
+    """How much restarts."""
+
+    def __init__(self, receiver_id: ReceiverId, reset_type: ReceiverResetType) -> None:
+        self.receiver_id = receiver_id
+        self.reset_type = reset_type
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverReset, int]:
+        v = _RECEIVER_RESET_0.read(raw, at)
+        at += 2
+        receiver_id = ReceiverId(v[0])
+        reset_type = ReceiverResetType(v[1])
+        return cls(receiver_id, reset_type), at
+
+    def _write(self) -> bytes:
+        out = _RECEIVER_RESET_0.write(self.receiver_id, self.reset_type)
+        return codec.finished(out)
+
+
+_RTK_CONFIG_0 = codec.Block("B", "function")
+_RTK_CONFIG_1 = codec.Block("B", "ambiguity_fix_mode")
+_RTK_CONFIG_2 = codec.Block("BBBB", *["reserved"] * 4)
+_RTK_CONFIG_GROUPS = ((1, ("ambiguity_fix_mode",), False), (2, ("reserved",), False))
+
+
+class RtkConfig(Command[R]):
+    """RTK configuration (0x0E,0x04).
+
+    Sets how readily the device fixes the ambiguities of an RTK solution.
+
+    Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `RtkConfigResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report
+    it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+
+    The available modes differ by device.
+
+    - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+    """
+
+    __slots__ = ("function", "ambiguity_fix_mode", "reserved")
+    __match_args__ = ("function", "ambiguity_fix_mode", "reserved")
+
+    SET = 0x0E
+    SETS = (0x0E,)
+    DESCRIPTOR = 0x04
+    NAME = "gnss.rtk_config"
+    ROLE = "command"
+    RESPONSES = (RtkConfigResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    ambiguity_fix_mode: AmbiguityFixMode | None
+    """How readily ambiguities are fixed. Required for `write`."""
+    reserved: tuple[int, int, int, int] | None
+    """Reserved: send 0. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        ambiguity_fix_mode: AmbiguityFixMode | None = None,
+        reserved: Sequence[int] | None = None,
+    ) -> None:
+        self.function = function
+        self.ambiguity_fix_mode = ambiguity_fix_mode
+        self.reserved = codec.several(reserved)
+
+    @classmethod
+    def write(
+        cls: ClassOf[RtkConfig[Any]], ambiguity_fix_mode: AmbiguityFixMode
+    ) -> RtkConfig[None]:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE, ambiguity_fix_mode=ambiguity_fix_mode, reserved=(0, 0, 0, 0)
+        )
+
+    @classmethod
+    def read(cls: ClassOf[RtkConfig[Any]]) -> RtkConfig[RtkConfigResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls: ClassOf[RtkConfig[Any]]) -> RtkConfig[None]:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls: ClassOf[RtkConfig[Any]]) -> RtkConfig[None]:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls: ClassOf[RtkConfig[Any]]) -> RtkConfig[None]:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (RtkConfigResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkConfig[R], int]:
+        ambiguity_fix_mode: AmbiguityFixMode | None = None
+        reserved: tuple[int, int, int, int] | None = None
+        v = _RTK_CONFIG_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _RTK_CONFIG_1.read(raw, at)
+            at += 1
+            ambiguity_fix_mode = AmbiguityFixMode(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _RTK_CONFIG_2.read(raw, at)
+            at += 4
+            reserved = v[0:4]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, ambiguity_fix_mode, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_CONFIG_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _RTK_CONFIG_GROUPS)
+        if there >= 1:
+            out += _RTK_CONFIG_1.write(self.ambiguity_fix_mode)
+        if there >= 2:
+            out += _RTK_CONFIG_2.write(*codec.exactly("reserved", self.reserved, 4))
+        return codec.finished(out)
+
+
 _RTK_DONGLE_CONFIG_0 = codec.Block("B", "function")
 _RTK_DONGLE_CONFIG_1 = codec.Block("B", "enable")
 _RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
@@ -1028,6 +1306,7 @@ class SpartnConfig(Command[R]):
 
 ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
 SignalConfigResponse.COMMANDS = (SignalConfig,)
+RtkConfigResponse.COMMANDS = (RtkConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
@@ -1035,10 +1314,13 @@ SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfig,),
+    0x03: (ReceiverReset,),
+    0x04: (RtkConfig,),
     0x10: (RtkDongleConfig,),
     0x20: (SpartnConfig,),
     0x81: (ReceiverInfoResponse,),
     0x82: (SignalConfigResponse,),
+    0x84: (RtkConfigResponse,),
     0x90: (RtkDongleConfigResponse,),
     0xA0: (SpartnConfigResponse,),
 }

@@ -422,6 +422,33 @@ class RfErrorDetectionFlags(IntFlag):
     """Jamming. Bit 1."""
     SPOOFING_STATE = 1 << 2
     """Spoofing. Bit 2."""
+    FREQUENCY = 1 << 3
+    """Frequency; only set by firmware that sends it. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+class HeadingFixType(codec.OpenEnum):
+    """How the ambiguities of the carrier phase were solved for a heading."""
+
+    UNKNOWN = 0
+    """Not known."""
+    FLOAT = 1
+    """Real numbers, which is less accurate."""
+    FIXED = 2
+    """Whole numbers of cycles."""
+
+
+@codec.open_flag(16)
+class HeadingFlags(IntFlag):
+    """Which parts of the heading are valid."""
+
+    HEADING = 1 << 0
+    """Heading. Bit 0."""
+    UNCERTAINTY = 1 << 1
+    """Uncertainty of the heading. Bit 1."""
+    FIX_TYPE = 1 << 2
+    """Kind of the fix. Bit 2."""
     FLAGS = 0x7
     """All of them. Bits 0 to 2. Overlaps other bits."""
 
@@ -741,11 +768,13 @@ class LlhPosition(Shared, Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhPositionFlags.LAT_LON` of
+    `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is
-    set.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhPositionFlags.LAT_LON` of
+    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
+    one.
     """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
@@ -1687,14 +1716,17 @@ class DgpsInfo(Shared, Data):
     State of the differential corrections.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The layout
-    is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with
-    the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
-    `DgpsChannel` and does not agree with its own valid flags (age, base station id, base station
-    status, number of channels).
+    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
+    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
+    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
+    which are the same in all sources.
+
+    The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
+    the SDK of 2014.
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
-    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    - mscl: DGPS Info (0x81,0x0E)
+    - mip-sdk-2014: DGPS Info (0x81,0x0E)
     """
 
     __slots__ = ("age", "base_station_id", "base_station_status", "num_channels", "valid_flags")
@@ -1752,6 +1784,10 @@ class DgpsInfo(Shared, Data):
         self.valid_flags = valid_flags
 
     @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return len(data) < 15
+
+    @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
         v = _DGPS_INFO_0.read(raw, at)
         at += 12
@@ -1773,6 +1809,105 @@ class DgpsInfo(Shared, Data):
         return codec.finished(out)
 
 
+_DGPS_INFO_SATELLITE_0 = codec.Block(
+    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
+)
+
+
+class DgpsInfoSatellite(Shared, Data):
+    """DGPS info with a satellite (0x0E).
+
+    Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether any
+    device sends it. The values are those of `DgpsChannel`, but the flags are those of `DgpsInfo`,
+    so a mistake of the SDK is likely.
+
+    The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The
+    flags of `base_station_id`, `base_station_status` and `num_channels` belong to no value of this
+    layout.
+
+    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    """
+
+    __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
+    __match_args__ = (
+        "satellite_id",
+        "age",
+        "range_correction",
+        "range_rate_correction",
+        "valid_flags",
+    )
+
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0E
+    NAME = "gnss_data.dgps_info_satellite"
+    ROLE = "data"
+    _LAYOUT = (
+        ("satellite_id", "B", None),
+        ("age", "f", None),
+        ("range_correction", "f", None),
+        ("range_rate_correction", "f", None),
+        ("valid_flags", "H", DgpsInfoFlags),
+    )
+
+    satellite_id: int
+    """Number of the satellite."""
+    age: float
+    """Age of the correction. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
+    Uncertain: The unit, which follows from `DgpsChannel`.
+    """
+    range_correction: float
+    """Correction of the range. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`."""
+    range_rate_correction: float
+    """Correction of the range rate. Unit: m/s. Uncertain: The unit, which follows from
+    `DgpsChannel`.
+    """
+    valid_flags: DgpsInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        satellite_id: int,
+        age: float,
+        range_correction: float,
+        range_rate_correction: float,
+        valid_flags: DgpsInfoFlags,
+    ) -> None:
+        self.satellite_id = satellite_id
+        self.age = age
+        self.range_correction = range_correction
+        self.range_rate_correction = range_rate_correction
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 15 <= len(data)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfoSatellite, int]:
+        v = _DGPS_INFO_SATELLITE_0.read(raw, at)
+        at += 15
+        satellite_id = v[0]
+        age = v[1]
+        range_correction = v[2]
+        range_rate_correction = v[3]
+        valid_flags = DgpsInfoFlags(v[4])
+        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_INFO_SATELLITE_0.write(
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _DGPS_CHANNEL_0 = codec.Block(
     "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
 )
@@ -1785,11 +1920,13 @@ class DgpsChannel(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
-    Known only from the MicroStrain MIP SDK.
+    Known only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Dgps Channel (0x81,0x0F)
+    - mscl: DGPS Channel Status (0x81,0x0F)
+    - mip-sdk-2014: DGPS Channel (0x81,0x0F)
     """
 
     __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
@@ -2290,7 +2427,13 @@ class SbasCorrection(Shared, Data):
 
 
 _RF_ERROR_DETECTION_0 = codec.Block(
-    "BBBBBBBH", "rf_band", "jamming_state", "spoofing_state", *["reserved"] * 4, "valid_flags"
+    "BBBHBBH",
+    "rf_band",
+    "jamming_state",
+    "spoofing_state",
+    "frequency",
+    *["reserved"] * 2,
+    "valid_flags",
 )
 
 
@@ -2303,11 +2446,21 @@ class RfErrorDetection(Shared, Data):
     (0x94) and gnss_external_2 (0x95). May be supported by 3DM-CV7-INS. Known only from the
     MicroStrain MIP SDK.
 
+    Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
+    there and leaves its flag clear.
+
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
 
-    __slots__ = ("rf_band", "jamming_state", "spoofing_state", "reserved", "valid_flags")
-    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "valid_flags")
+    __slots__ = (
+        "rf_band",
+        "jamming_state",
+        "spoofing_state",
+        "frequency",
+        "reserved",
+        "valid_flags",
+    )
+    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "frequency", "valid_flags")
 
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x14
@@ -2317,7 +2470,8 @@ class RfErrorDetection(Shared, Data):
         ("rf_band", "B", RfBand),
         ("jamming_state", "B", JammingState),
         ("spoofing_state", "B", SpoofingState),
-        ("reserved", "BBBB", tuple),
+        ("frequency", "H", None),
+        ("reserved", "BB", tuple),
         ("valid_flags", "H", RfErrorDetectionFlags),
     )
 
@@ -2327,7 +2481,11 @@ class RfErrorDetection(Shared, Data):
     """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
     spoofing_state: SpoofingState
     """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
-    reserved: tuple[int, int, int, int]
+    frequency: int
+    """Centre frequency of the band. Unit: MHz. Valid if `RfErrorDetectionFlags.FREQUENCY` of
+    `valid_flags` is set.
+    """
+    reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
     """Which values are valid."""
@@ -2337,13 +2495,15 @@ class RfErrorDetection(Shared, Data):
         rf_band: RfBand,
         jamming_state: JammingState,
         spoofing_state: SpoofingState,
+        frequency: int,
         valid_flags: RfErrorDetectionFlags,
         *,
-        reserved: Sequence[int] = (0, 0, 0, 0),
+        reserved: Sequence[int] = (0, 0),
     ) -> None:
         self.rf_band = rf_band
         self.jamming_state = jamming_state
         self.spoofing_state = spoofing_state
+        self.frequency = frequency
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
@@ -2354,18 +2514,92 @@ class RfErrorDetection(Shared, Data):
         rf_band = RfBand(v[0])
         jamming_state = JammingState(v[1])
         spoofing_state = SpoofingState(v[2])
-        reserved = v[3:7]
-        valid_flags = RfErrorDetectionFlags(v[7])
-        return cls(rf_band, jamming_state, spoofing_state, valid_flags, reserved=reserved), at
+        frequency = v[3]
+        reserved = v[4:6]
+        valid_flags = RfErrorDetectionFlags(v[6])
+        return cls(
+            rf_band, jamming_state, spoofing_state, frequency, valid_flags, reserved=reserved
+        ), at
 
     def _write(self) -> bytes:
         out = _RF_ERROR_DETECTION_0.write(
             self.rf_band,
             self.jamming_state,
             self.spoofing_state,
-            *codec.exactly("reserved", self.reserved, 4),
+            self.frequency,
+            *codec.exactly("reserved", self.reserved, 2),
             self.valid_flags,
         )
+        return codec.finished(out)
+
+
+_HEADING_0 = codec.Block("ffBH", "heading", "uncertainty", "fix_type", "valid_flags")
+
+
+class Heading(Shared, Data):
+    """GNSS heading (0x15).
+
+    Heading that the receiver computes from its antennas.
+
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name any.
+
+    - mip-sdk-4: Heading (0x81,0x15)
+    """
+
+    __slots__ = ("heading", "uncertainty", "fix_type", "valid_flags")
+    __match_args__ = ("heading", "uncertainty", "fix_type", "valid_flags")
+
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x15
+    NAME = "gnss_data.heading"
+    ROLE = "data"
+    _LAYOUT = (
+        ("heading", "f", None),
+        ("uncertainty", "f", None),
+        ("fix_type", "B", HeadingFixType),
+        ("valid_flags", "H", HeadingFlags),
+    )
+
+    heading: float
+    """Heading of the baseline between the antennas. Unit: deg. Valid if `HeadingFlags.HEADING` of
+    `valid_flags` is set. Uncertain: The reference and the range. Clockwise from true north is
+    usual; the SDK only states degrees.
+    """
+    uncertainty: float
+    """Uncertainty of the heading. Unit: deg. Valid if `HeadingFlags.UNCERTAINTY` of `valid_flags`
+    is set. Uncertain: Whether it is one standard deviation.
+    """
+    fix_type: HeadingFixType
+    """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
+    valid_flags: HeadingFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        heading: float,
+        uncertainty: float,
+        fix_type: HeadingFixType,
+        valid_flags: HeadingFlags,
+    ) -> None:
+        self.heading = heading
+        self.uncertainty = uncertainty
+        self.fix_type = fix_type
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Heading, int]:
+        v = _HEADING_0.read(raw, at)
+        at += 11
+        heading = v[0]
+        uncertainty = v[1]
+        fix_type = HeadingFixType(v[2])
+        valid_flags = HeadingFlags(v[3])
+        return cls(heading, uncertainty, fix_type, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_0.write(self.heading, self.uncertainty, self.fix_type, self.valid_flags)
         return codec.finished(out)
 
 
@@ -5146,13 +5380,14 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
     0x0D: (HardwareStatus,),
-    0x0E: (DgpsInfo,),
+    0x0E: (DgpsInfo, DgpsInfoSatellite),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),
     0x12: (SbasInfo,),
     0x13: (SbasCorrection,),
     0x14: (RfErrorDetection,),
+    0x15: (Heading,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
     0x30: (BaseStationInfo,),

@@ -195,14 +195,19 @@ class PpsSource(codec.OpenEnum):
     """Where the pulse per second comes from.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    - 3dm-cv7-gnss-ins: RECEIVER Source
     """
 
     DISABLED = 0
     """No pulse."""
     RECEIVER_1 = 1
-    """From GNSS receiver 1."""
+    """From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a
+    fix.
+    """
     RECEIVER_2 = 2
-    """From GNSS receiver 2."""
+    """From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a
+    fix.
+    """
     GPIO = 3
     """From a GPIO pin that is configured as a PPS input."""
     GENERATED = 4
@@ -323,6 +328,92 @@ class EventActionStatusEntry(Structure):
         return out
 
 
+class ReceiverDynamics(codec.OpenEnum):
+    """Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers
+    the modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+
+    - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+    """
+
+    PORTABLE = 0
+    """Low accelerations; fits most applications."""
+    FIXED = 1
+    """Fixed installation."""
+    STATIONARY = 2
+    """At rest."""
+    PEDESTRIAN = 3
+    """Walking speed."""
+    AUTOMOTIVE = 4
+    """Road vehicles."""
+    SEA = 5
+    """Vessels at sea level."""
+    AIRBORNE_1G = 6
+    """Aircraft with accelerations below 1 g."""
+    AIRBORNE_2G = 7
+    """Aircraft with accelerations below 2 g."""
+    AIRBORNE_4G = 8
+    """Aircraft with accelerations below 4 g."""
+
+
+@codec.open_flag(16)
+class DataConditioningFlags(IntFlag):
+    """Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
+    protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+
+    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+    - mscl: IMU Signal Conditioning (0x0C,0x35)
+    """
+
+    ORIENTATION_CALCULATION = 1 << 0
+    """Computes the orientation. Bit 0."""
+    CONING_SCULLING = 1 << 1
+    """Corrects coning and sculling. Bit 1."""
+    LITTLE_ENDIAN_FLOATS = 1 << 4
+    """Sends floats with the least significant byte first. Bit 4."""
+    NAN_SUPPRESSED = 1 << 5
+    """Suppresses values that are not a number. Bit 5."""
+    FINITE_SIZE_CORRECTION = 1 << 6
+    """Corrects the distance between the accelerometers. Bit 6."""
+    DISABLE_MAG = 1 << 8
+    """Switches the magnetometer off. Bit 8."""
+    MAG_LOW_POWER = 1 << 9
+    """Reduces the power of the magnetometer. Bit 9."""
+    DISABLE_NORTH_COMPENSATION = 1 << 10
+    """Disables the correction of the heading. Bit 10."""
+    DISABLE_UP_COMPENSATION = 1 << 11
+    """Disables the correction of pitch and roll. Bit 11."""
+    QUATERNION_CALCULATION = 1 << 12
+    """Computes the quaternion. Bit 12."""
+
+
+class MagBandwidth(codec.OpenEnum):
+    """Bandwidth of the magnetometer of 3-series devices.
+
+    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+    """
+
+    HIGH = 0
+    """High bandwidth."""
+    LOW = 1
+    """Low bandwidth."""
+
+
+class ImuTimestampSelector(codec.OpenEnum):
+    """A counter of the time of the sensor data.
+
+    - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+    """
+
+    BEACON_SECONDS = 1
+    """Seconds of the time beacon."""
+    BEACON_NANOSECONDS = 2
+    """Nanoseconds of the time beacon."""
+    INTERNAL_TICKS = 3
+    """Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and for
+    the nanoseconds.
+    """
+
+
 class OdometerMode(codec.OpenEnum):
     """How the odometer input works.
 
@@ -385,6 +476,46 @@ class SensorRangeEntry(Structure):
     def _write(self) -> bytes:
         out = _SENSOR_RANGE_ENTRY_0.write(self.setting, self.range)
         return out
+
+
+class InternalSensor(codec.OpenEnum):
+    """A sensor inside a 3-series device.
+
+    - mip-sdk-2014: Device Power State (0x0C,0x61)
+    """
+
+    IMU = 1
+    """The inertial sensor."""
+    GNSS = 2
+    """The GNSS receiver."""
+
+
+class StreamFormat(codec.OpenEnum):
+    """Format of a data stream.
+
+    - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+    """
+
+    STANDARD = 1
+    """MIP data fields."""
+    WRAPPED_RAW = 2
+    """Packets of the sensor itself, each in a MIP field."""
+
+
+class SensorPowerState(codec.OpenEnum):
+    """Power state of an internal sensor.
+
+    - mip-sdk-2014: Device Power State (0x0C,0x61)
+    """
+
+    ON = 1
+    """Full power."""
+    LOW_POWER = 2
+    """On with reduced power."""
+    SLEEP = 3
+    """Asleep."""
+    OFF = 4
+    """Off."""
 
 
 class DeviceStatusSelector(codec.OpenEnum):
@@ -694,6 +825,143 @@ class DataStreamControlResponse(Response):
         return codec.finished(out)
 
 
+_IMU_SIGNAL_CONDITIONING_RESPONSE_0 = codec.Block(
+    "HHBBHHBH",
+    "orientation_decimation",
+    "data_conditioning_flags",
+    "inertial_filter_width",
+    "mag_filter_width",
+    "up_compensation",
+    "north_compensation",
+    "mag_bandwidth",
+    "reserved",
+)
+
+
+class ImuSignalConditioningResponse(Response):
+    """IMU signal conditioning response (0x0C,0x86).
+
+    Answers `ImuSignalConditioning`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
+
+    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+    - mscl: IMU Signal Conditioning (0x0C,0x35)
+    """
+
+    __slots__ = (
+        "orientation_decimation",
+        "data_conditioning_flags",
+        "inertial_filter_width",
+        "mag_filter_width",
+        "up_compensation",
+        "north_compensation",
+        "mag_bandwidth",
+        "reserved",
+    )
+    __match_args__ = (
+        "orientation_decimation",
+        "data_conditioning_flags",
+        "inertial_filter_width",
+        "mag_filter_width",
+        "up_compensation",
+        "north_compensation",
+        "mag_bandwidth",
+        "reserved",
+    )
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x86
+    NAME = "3dm.imu_signal_conditioning_response"
+    ROLE = "response"
+    _LAYOUT = (
+        ("orientation_decimation", "H", None),
+        ("data_conditioning_flags", "H", DataConditioningFlags),
+        ("inertial_filter_width", "B", None),
+        ("mag_filter_width", "B", None),
+        ("up_compensation", "H", None),
+        ("north_compensation", "H", None),
+        ("mag_bandwidth", "B", MagBandwidth),
+        ("reserved", "H", None),
+    )
+
+    orientation_decimation: int
+    """Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+    """
+    data_conditioning_flags: DataConditioningFlags
+    """Processing steps. Default: 3."""
+    inertial_filter_width: int
+    """Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
+    Default: 15.
+    """
+    mag_filter_width: int
+    """Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."""
+    up_compensation: int
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
+    north_compensation: int
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
+    mag_bandwidth: MagBandwidth
+    """Bandwidth of the magnetometer."""
+    reserved: int
+    """Reserved."""
+
+    def __init__(
+        self,
+        orientation_decimation: int,
+        data_conditioning_flags: DataConditioningFlags,
+        inertial_filter_width: int,
+        mag_filter_width: int,
+        up_compensation: int,
+        north_compensation: int,
+        mag_bandwidth: MagBandwidth,
+        reserved: int = 0,
+    ) -> None:
+        self.orientation_decimation = orientation_decimation
+        self.data_conditioning_flags = data_conditioning_flags
+        self.inertial_filter_width = inertial_filter_width
+        self.mag_filter_width = mag_filter_width
+        self.up_compensation = up_compensation
+        self.north_compensation = north_compensation
+        self.mag_bandwidth = mag_bandwidth
+        self.reserved = reserved
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuSignalConditioningResponse, int]:
+        v = _IMU_SIGNAL_CONDITIONING_RESPONSE_0.read(raw, at)
+        at += 13
+        orientation_decimation = v[0]
+        data_conditioning_flags = DataConditioningFlags(v[1])
+        inertial_filter_width = v[2]
+        mag_filter_width = v[3]
+        up_compensation = v[4]
+        north_compensation = v[5]
+        mag_bandwidth = MagBandwidth(v[6])
+        reserved = v[7]
+        return cls(
+            orientation_decimation,
+            data_conditioning_flags,
+            inertial_filter_width,
+            mag_filter_width,
+            up_compensation,
+            north_compensation,
+            mag_bandwidth,
+            reserved,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _IMU_SIGNAL_CONDITIONING_RESPONSE_0.write(
+            self.orientation_decimation,
+            self.data_conditioning_flags,
+            self.inertial_filter_width,
+            self.mag_filter_width,
+            self.up_compensation,
+            self.north_compensation,
+            self.mag_bandwidth,
+            self.reserved,
+        )
+        return codec.finished(out)
+
+
 _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 
 
@@ -733,6 +1001,96 @@ class UartBaudRateResponse(Response):
 
     def _write(self) -> bytes:
         out = _UART_BAUD_RATE_RESPONSE_0.write(self.baud)
+        return codec.finished(out)
+
+
+_DATA_STREAM_FORMAT_RESPONSE_0 = codec.Block("BB", "stream", "format")
+
+
+class DataStreamFormatResponse(Response):
+    """Data stream format response (0x0C,0x88).
+
+    Answers `DataStreamFormat`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
+    and MicroStrain Communication Library.
+
+    - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+    - mscl: Data Stream Format (0x0C,0x60)
+    """
+
+    __slots__ = ("stream", "format")
+    __match_args__ = ("stream", "format")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x88
+    NAME = "3dm.data_stream_format_response"
+    ROLE = "response"
+    _LAYOUT = (("stream", "B", InternalSensor), ("format", "B", StreamFormat))
+
+    stream: InternalSensor
+    """The stream."""
+    format: StreamFormat
+    """Its format."""
+
+    def __init__(self, stream: InternalSensor, format: StreamFormat) -> None:
+        self.stream = stream
+        self.format = format
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamFormatResponse, int]:
+        v = _DATA_STREAM_FORMAT_RESPONSE_0.read(raw, at)
+        at += 2
+        stream = InternalSensor(v[0])
+        format = StreamFormat(v[1])
+        return cls(stream, format), at
+
+    def _write(self) -> bytes:
+        out = _DATA_STREAM_FORMAT_RESPONSE_0.write(self.stream, self.format)
+        return codec.finished(out)
+
+
+_DEVICE_POWER_STATE_RESPONSE_0 = codec.Block("BB", "device", "state")
+
+
+class DevicePowerStateResponse(Response):
+    """Device power state response (0x0C,0x89).
+
+    Answers `DevicePowerState`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
+    and MicroStrain Communication Library.
+
+    - mip-sdk-2014: Device Power State (0x0C,0x61)
+    - mscl: Device Power State (0x0C,0x61)
+    """
+
+    __slots__ = ("device", "state")
+    __match_args__ = ("device", "state")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x89
+    NAME = "3dm.device_power_state_response"
+    ROLE = "response"
+    _LAYOUT = (("device", "B", InternalSensor), ("state", "B", SensorPowerState))
+
+    device: InternalSensor
+    """The sensor."""
+    state: SensorPowerState
+    """Its power state."""
+
+    def __init__(self, device: InternalSensor, state: SensorPowerState) -> None:
+        self.device = device
+        self.state = state
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DevicePowerStateResponse, int]:
+        v = _DEVICE_POWER_STATE_RESPONSE_0.read(raw, at)
+        at += 2
+        device = InternalSensor(v[0])
+        state = SensorPowerState(v[1])
+        return cls(device, state), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_POWER_STATE_RESPONSE_0.write(self.device, self.state)
         return codec.finished(out)
 
 
@@ -2796,6 +3154,90 @@ class DeviceStatusDiagnosticImuResponse(Response):
         return codec.finished(out)
 
 
+_GPS_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
+
+
+class GpsDynamicsModeResponse(Response):
+    """GPS dynamics mode response (0x0C,0x92).
+
+    Answers `GpsDynamicsMode`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
+    and MicroStrain Communication Library.
+
+    - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+    - mscl: GPS Dynamics Mode (0x0C,0x34)
+    """
+
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x92
+    NAME = "3dm.gps_dynamics_mode_response"
+    ROLE = "response"
+    _LAYOUT = (("mode", "B", ReceiverDynamics),)
+
+    mode: ReceiverDynamics
+    """Assumed dynamics."""
+
+    def __init__(self, mode: ReceiverDynamics) -> None:
+        self.mode = mode
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsDynamicsModeResponse, int]:
+        v = _GPS_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
+        at += 1
+        mode = ReceiverDynamics(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _GPS_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
+        return codec.finished(out)
+
+
+_IMU_TIMESTAMP_RESPONSE_0 = codec.Block("BI", "selector", "time")
+
+
+class ImuTimestampResponse(Response):
+    """IMU timestamp response (0x0C,0x93).
+
+    Answers `ImuTimestamp`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014.
+
+    - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+    """
+
+    __slots__ = ("selector", "time")
+    __match_args__ = ("selector", "time")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x93
+    NAME = "3dm.imu_timestamp_response"
+    ROLE = "response"
+    _LAYOUT = (("selector", "B", ImuTimestampSelector), ("time", "I", None))
+
+    selector: ImuTimestampSelector
+    """Which counter."""
+    time: int
+    """Value of the counter, in the unit that `selector` states."""
+
+    def __init__(self, selector: ImuTimestampSelector, time: int) -> None:
+        self.selector = selector
+        self.time = time
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuTimestampResponse, int]:
+        v = _IMU_TIMESTAMP_RESPONSE_0.read(raw, at)
+        at += 5
+        selector = ImuTimestampSelector(v[0])
+        time = v[1]
+        return cls(selector, time), at
+
+    def _write(self) -> bytes:
+        out = _IMU_TIMESTAMP_RESPONSE_0.write(self.selector, self.time)
+        return codec.finished(out)
+
+
 _COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
     "BBff",
     "pitch_roll_enable",
@@ -3787,6 +4229,7 @@ class EventActionConfigResponse(Response):
     Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Event Cycle
     """
 
     __slots__ = ("instance", "trigger", "type", "parameters")
@@ -5322,7 +5765,9 @@ class DataStreamControl(Command[R]):
       `LegacyDataStream.FILTER`.
     """
     enable: bool | None
-    """Whether the stream is sent. Default: true. Required for `write`."""
+    """Whether the stream is sent. Default: true. Required for `write`. The stream starts with
+    current data. What was measured while it was disabled is not sent.
+    """
 
     def __init__(
         self,
@@ -5407,6 +5852,48 @@ class DataStreamControl(Command[R]):
             out += _DATA_STREAM_CONTROL_1.write(self.descriptor_set)
         if there >= 2:
             out += _DATA_STREAM_CONTROL_2.write(self.enable)
+        return codec.finished(out)
+
+
+class RawRtcm2_3Message(Command[None]):
+    """Raw RTCM 2.3 message (0x0C,0x20).
+
+    Sends RTCM 2.3 corrections to the GNSS receiver.
+
+    Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+
+    The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent
+    with several of these commands.
+
+    - 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20)
+    - mip-sdk-2014: Raw RTCM 2.3 Message (0x0C,0x20)
+    - mscl: Raw RTCM 2.3 Message (0x0C,0x20)
+    """
+
+    __slots__ = ("data",)
+    __match_args__ = ("data",)
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x20
+    NAME = "3dm.raw_rtcm_2_3_message"
+    ROLE = "command"
+
+    data: tuple[int, ...]
+    """Bytes of the RTCM stream."""
+
+    def __init__(self, data: Sequence[int]) -> None:
+        self.data = codec.several(data)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawRtcm2_3Message, int]:
+        n = codec.remaining(raw, at, 1)
+        data = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(data), at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers("data", "B", codec.at_most("data", self.data, 253))
         return codec.finished(out)
 
 
@@ -6536,9 +7023,12 @@ class EventActionConfig(Command[R]):
     by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
-    GPIO action needs its pin configured as an output with the gpio feature.
+    GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
+    the device updates all triggers first and then runs each action at most once. The rate of the
+    cycle is the base rate of the system data.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Event Cycle
     """
 
     __slots__ = ("function", "instance", "trigger", "type", "parameters")
@@ -6926,8 +7416,10 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. Every change makes both attitude filters,
-    complementary and estimation, and all low-pass filters start anew.
+    `filter.SensorToVehicleRotationQuaternion` takes. The transformation applies to the scaled
+    acceleration, angular rate and magnetic field, delta theta and delta velocity, and to the
+    attitude, linear acceleration, angular rate and gravity vector of the filter. Every change makes
+    both attitude filters, complementary and estimation, and all low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -7043,8 +7535,11 @@ class SensorToVehicleTransformDcm(Command[R]):
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
-    makes both attitude filters, complementary and estimation, and all low-pass filters start anew.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. The
+    transformation applies to the scaled acceleration, angular rate and magnetic field, delta theta
+    and delta velocity, and to the attitude, linear acceleration, angular rate and gravity vector of
+    the filter. Every change makes both attitude filters, complementary and estimation, and all
+    low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -7138,6 +7633,489 @@ class SensorToVehicleTransformDcm(Command[R]):
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS)
         if there >= 1:
             out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_GPS_DYNAMICS_MODE_0 = codec.Block("B", "function")
+_GPS_DYNAMICS_MODE_1 = codec.Block("B", "mode")
+_GPS_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
+
+
+class GpsDynamicsMode(Command[R]):
+    """GPS dynamics mode (0x0C,0x34).
+
+    Sets the dynamics that the GNSS receiver assumes of the vehicle.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
+    May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
+    Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
+    for the 3DM-GX3-35 only.
+
+    - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+    - mscl: GPS Dynamics Mode (0x0C,0x34)
+    """
+
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x34
+    NAME = "3dm.gps_dynamics_mode"
+    ROLE = "command"
+    RESPONSES = (GpsDynamicsModeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: ReceiverDynamics | None
+    """Assumed dynamics. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, mode: ReceiverDynamics | None = None) -> None:
+        self.function = function
+        self.mode = mode
+
+    @classmethod
+    def write(cls: ClassOf[GpsDynamicsMode[Any]], mode: ReceiverDynamics) -> GpsDynamicsMode[None]:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode)
+
+    @classmethod
+    def read(cls: ClassOf[GpsDynamicsMode[Any]]) -> GpsDynamicsMode[GpsDynamicsModeResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls: ClassOf[GpsDynamicsMode[Any]]) -> GpsDynamicsMode[None]:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls: ClassOf[GpsDynamicsMode[Any]]) -> GpsDynamicsMode[None]:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls: ClassOf[GpsDynamicsMode[Any]]) -> GpsDynamicsMode[None]:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (GpsDynamicsModeResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsDynamicsMode[R], int]:
+        mode: ReceiverDynamics | None = None
+        v = _GPS_DYNAMICS_MODE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GPS_DYNAMICS_MODE_1.read(raw, at)
+            at += 1
+            mode = ReceiverDynamics(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode), at
+
+    def _write(self) -> bytes:
+        out = _GPS_DYNAMICS_MODE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GPS_DYNAMICS_MODE_GROUPS)
+        if there >= 1:
+            out += _GPS_DYNAMICS_MODE_1.write(self.mode)
+        return codec.finished(out)
+
+
+_IMU_SIGNAL_CONDITIONING_0 = codec.Block("B", "function")
+_IMU_SIGNAL_CONDITIONING_1 = codec.Block("H", "orientation_decimation")
+_IMU_SIGNAL_CONDITIONING_2 = codec.Block("H", "data_conditioning_flags")
+_IMU_SIGNAL_CONDITIONING_3 = codec.Block("B", "inertial_filter_width")
+_IMU_SIGNAL_CONDITIONING_4 = codec.Block("B", "mag_filter_width")
+_IMU_SIGNAL_CONDITIONING_5 = codec.Block("H", "up_compensation")
+_IMU_SIGNAL_CONDITIONING_6 = codec.Block("H", "north_compensation")
+_IMU_SIGNAL_CONDITIONING_7 = codec.Block("B", "mag_bandwidth")
+_IMU_SIGNAL_CONDITIONING_8 = codec.Block("H", "reserved")
+_IMU_SIGNAL_CONDITIONING_GROUPS = (
+    (1, ("orientation_decimation",), False),
+    (2, ("data_conditioning_flags",), False),
+    (3, ("inertial_filter_width",), False),
+    (4, ("mag_filter_width",), False),
+    (5, ("up_compensation",), False),
+    (6, ("north_compensation",), False),
+    (7, ("mag_bandwidth",), False),
+    (8, ("reserved",), False),
+)
+
+
+class ImuSignalConditioning(Command[R]):
+    """IMU signal conditioning (0x0C,0x35).
+
+    Configures the filters and the orientation algorithm of 3-series devices.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuSignalConditioningResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
+    flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
+    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+
+    The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
+    width.
+
+    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+    - mscl: IMU Signal Conditioning (0x0C,0x35)
+    """
+
+    __slots__ = (
+        "function",
+        "orientation_decimation",
+        "data_conditioning_flags",
+        "inertial_filter_width",
+        "mag_filter_width",
+        "up_compensation",
+        "north_compensation",
+        "mag_bandwidth",
+        "reserved",
+    )
+    __match_args__ = (
+        "function",
+        "orientation_decimation",
+        "data_conditioning_flags",
+        "inertial_filter_width",
+        "mag_filter_width",
+        "up_compensation",
+        "north_compensation",
+        "mag_bandwidth",
+        "reserved",
+    )
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x35
+    NAME = "3dm.imu_signal_conditioning"
+    ROLE = "command"
+    RESPONSES = (ImuSignalConditioningResponse,)
+    REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    orientation_decimation: int | None
+    """Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+    Required for `write`.
+    """
+    data_conditioning_flags: DataConditioningFlags | None
+    """Processing steps. Default: 3. Required for `write`."""
+    inertial_filter_width: int | None
+    """Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
+    Default: 15. Required for `write`.
+    """
+    mag_filter_width: int | None
+    """Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17.
+    Required for `write`.
+    """
+    up_compensation: int | None
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
+    north_compensation: int | None
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
+    mag_bandwidth: MagBandwidth | None
+    """Bandwidth of the magnetometer. Required for `write`."""
+    reserved: int | None
+    """Reserved: send 0. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        orientation_decimation: int | None = None,
+        data_conditioning_flags: DataConditioningFlags | None = None,
+        inertial_filter_width: int | None = None,
+        mag_filter_width: int | None = None,
+        up_compensation: int | None = None,
+        north_compensation: int | None = None,
+        mag_bandwidth: MagBandwidth | None = None,
+        reserved: int | None = None,
+    ) -> None:
+        self.function = function
+        self.orientation_decimation = orientation_decimation
+        self.data_conditioning_flags = data_conditioning_flags
+        self.inertial_filter_width = inertial_filter_width
+        self.mag_filter_width = mag_filter_width
+        self.up_compensation = up_compensation
+        self.north_compensation = north_compensation
+        self.mag_bandwidth = mag_bandwidth
+        self.reserved = reserved
+
+    @classmethod
+    def write(
+        cls: ClassOf[ImuSignalConditioning[Any]],
+        orientation_decimation: int,
+        data_conditioning_flags: DataConditioningFlags,
+        inertial_filter_width: int,
+        mag_filter_width: int,
+        up_compensation: int,
+        north_compensation: int,
+        mag_bandwidth: MagBandwidth,
+    ) -> ImuSignalConditioning[None]:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            orientation_decimation=orientation_decimation,
+            data_conditioning_flags=data_conditioning_flags,
+            inertial_filter_width=inertial_filter_width,
+            mag_filter_width=mag_filter_width,
+            up_compensation=up_compensation,
+            north_compensation=north_compensation,
+            mag_bandwidth=mag_bandwidth,
+            reserved=0,
+        )
+
+    @classmethod
+    def read(
+        cls: ClassOf[ImuSignalConditioning[Any]],
+    ) -> ImuSignalConditioning[ImuSignalConditioningResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls: ClassOf[ImuSignalConditioning[Any]]) -> ImuSignalConditioning[None]:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls: ClassOf[ImuSignalConditioning[Any]]) -> ImuSignalConditioning[None]:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls: ClassOf[ImuSignalConditioning[Any]]) -> ImuSignalConditioning[None]:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (ImuSignalConditioningResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuSignalConditioning[R], int]:
+        orientation_decimation: int | None = None
+        data_conditioning_flags: DataConditioningFlags | None = None
+        inertial_filter_width: int | None = None
+        mag_filter_width: int | None = None
+        up_compensation: int | None = None
+        north_compensation: int | None = None
+        mag_bandwidth: MagBandwidth | None = None
+        reserved: int | None = None
+        v = _IMU_SIGNAL_CONDITIONING_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_1.read(raw, at)
+            at += 2
+            orientation_decimation = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_2.read(raw, at)
+            at += 2
+            data_conditioning_flags = DataConditioningFlags(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_3.read(raw, at)
+            at += 1
+            inertial_filter_width = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_4.read(raw, at)
+            at += 1
+            mag_filter_width = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_5.read(raw, at)
+            at += 2
+            up_compensation = v[0]
+            done, end = 5, at
+            if at == len(raw) and required < 6:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_6.read(raw, at)
+            at += 2
+            north_compensation = v[0]
+            done, end = 6, at
+            if at == len(raw) and required < 7:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_7.read(raw, at)
+            at += 1
+            mag_bandwidth = MagBandwidth(v[0])
+            done, end = 7, at
+            if at == len(raw) and required < 8:
+                raise Truncated(1, 0)
+            v = _IMU_SIGNAL_CONDITIONING_8.read(raw, at)
+            at += 2
+            reserved = v[0]
+            done, end = 8, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            orientation_decimation,
+            data_conditioning_flags,
+            inertial_filter_width,
+            mag_filter_width,
+            up_compensation,
+            north_compensation,
+            mag_bandwidth,
+            reserved,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _IMU_SIGNAL_CONDITIONING_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _IMU_SIGNAL_CONDITIONING_GROUPS)
+        if there >= 1:
+            out += _IMU_SIGNAL_CONDITIONING_1.write(self.orientation_decimation)
+        if there >= 2:
+            out += _IMU_SIGNAL_CONDITIONING_2.write(self.data_conditioning_flags)
+        if there >= 3:
+            out += _IMU_SIGNAL_CONDITIONING_3.write(self.inertial_filter_width)
+        if there >= 4:
+            out += _IMU_SIGNAL_CONDITIONING_4.write(self.mag_filter_width)
+        if there >= 5:
+            out += _IMU_SIGNAL_CONDITIONING_5.write(self.up_compensation)
+        if there >= 6:
+            out += _IMU_SIGNAL_CONDITIONING_6.write(self.north_compensation)
+        if there >= 7:
+            out += _IMU_SIGNAL_CONDITIONING_7.write(self.mag_bandwidth)
+        if there >= 8:
+            out += _IMU_SIGNAL_CONDITIONING_8.write(self.reserved)
+        return codec.finished(out)
+
+
+_IMU_TIMESTAMP_0 = codec.Block("B", "function")
+_IMU_TIMESTAMP_1 = codec.Block("B", "selector")
+_IMU_TIMESTAMP_2 = codec.Block("I", "time")
+_IMU_TIMESTAMP_GROUPS = ((1, ("selector",), False), (2, ("time",), False))
+
+
+class ImuTimestamp(Command[R]):
+    """IMU timestamp (0x0C,0x36).
+
+    Sets or reads a counter of the time of the sensor data.
+
+    Functions: `write` and `read`. Answered by `ImuTimestampResponse`. May be supported by
+    3DM-GX3-35. Known only from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of
+    2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and
+    ignores it, or leaves it out, as is assumed.
+
+    - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+    """
+
+    __slots__ = ("function", "selector", "time")
+    __match_args__ = ("function", "selector", "time")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x36
+    NAME = "3dm.imu_timestamp"
+    ROLE = "command"
+    RESPONSES = (ImuTimestampResponse,)
+    REQUIRED = {1: 2, 2: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    selector: ImuTimestampSelector | None
+    """Which counter."""
+    time: int | None
+    """Value of the counter, in the unit that `selector` states. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        selector: ImuTimestampSelector | None = None,
+        time: int | None = None,
+    ) -> None:
+        self.function = function
+        self.selector = selector
+        self.time = time
+
+    @classmethod
+    def write(
+        cls: ClassOf[ImuTimestamp[Any]], selector: ImuTimestampSelector, time: int
+    ) -> ImuTimestamp[None]:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, selector=selector, time=time)
+
+    @classmethod
+    def read(
+        cls: ClassOf[ImuTimestamp[Any]], selector: ImuTimestampSelector
+    ) -> ImuTimestamp[ImuTimestampResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ, selector=selector)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (ImuTimestampResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuTimestamp[R], int]:
+        selector: ImuTimestampSelector | None = None
+        time: int | None = None
+        v = _IMU_TIMESTAMP_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _IMU_TIMESTAMP_1.read(raw, at)
+            at += 1
+            selector = ImuTimestampSelector(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _IMU_TIMESTAMP_2.read(raw, at)
+            at += 4
+            time = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, selector, time), at
+
+    def _write(self) -> bytes:
+        out = _IMU_TIMESTAMP_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _IMU_TIMESTAMP_GROUPS)
+        if there >= 1:
+            out += _IMU_TIMESTAMP_1.write(self.selector)
+        if there >= 2:
+            out += _IMU_TIMESTAMP_2.write(self.time)
         return codec.finished(out)
 
 
@@ -7442,7 +8420,9 @@ class MagHardIronOffset(Command[R]):
     `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
     `load` and `default` only.
 
-    The values come from a calibration of the device as it is installed.
+    The values come from a calibration of the device as it is installed. On some devices,
+    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
+    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -7566,7 +8546,9 @@ class MagSoftIronMatrix(Command[R]):
     `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
     `load` and `default` only.
 
-    The values come from a calibration of the device as it is installed.
+    The values come from a calibration of the device as it is installed. On some devices,
+    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
+    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -9063,6 +10045,326 @@ class LowPassFilter(Command[R]):
         return codec.finished(out)
 
 
+_DATA_STREAM_FORMAT_0 = codec.Block("B", "function")
+_DATA_STREAM_FORMAT_1 = codec.Block("B", "stream")
+_DATA_STREAM_FORMAT_2 = codec.Block("B", "format")
+_DATA_STREAM_FORMAT_GROUPS = ((1, ("stream",), False), (2, ("format",), False))
+
+
+class DataStreamFormat(Command[R]):
+    """Data stream format (0x0C,0x60).
+
+    Selects MIP data or the raw data of a sensor for a stream.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `DataStreamFormatResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
+    and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
+    2014 restricts it to the 3DM-GX3-35.
+
+    Both parameters are sent with every function. In the wrapped format, packets of the sensor
+    arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea`
+    and `gnss_data.ubx` for the receiver.
+
+    - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+    - mscl: Data Stream Format (0x0C,0x60)
+    """
+
+    __slots__ = ("function", "stream", "format")
+    __match_args__ = ("function", "stream", "format")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x60
+    NAME = "3dm.data_stream_format"
+    ROLE = "command"
+    RESPONSES = (DataStreamFormatResponse,)
+    REQUIRED = {1: 2, 2: 2, 3: 2, 4: 2, 5: 2}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    stream: InternalSensor | None
+    """The stream."""
+    format: StreamFormat | None
+    """Its format."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        stream: InternalSensor | None = None,
+        format: StreamFormat | None = None,
+    ) -> None:
+        self.function = function
+        self.stream = stream
+        self.format = format
+
+    @classmethod
+    def write(
+        cls: ClassOf[DataStreamFormat[Any]], stream: InternalSensor, format: StreamFormat
+    ) -> DataStreamFormat[None]:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, stream=stream, format=format)
+
+    @classmethod
+    def read(
+        cls: ClassOf[DataStreamFormat[Any]], stream: InternalSensor, format: StreamFormat
+    ) -> DataStreamFormat[DataStreamFormatResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ, stream=stream, format=format)
+
+    @classmethod
+    def save(
+        cls: ClassOf[DataStreamFormat[Any]], stream: InternalSensor, format: StreamFormat
+    ) -> DataStreamFormat[None]:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, stream=stream, format=format)
+
+    @classmethod
+    def load(
+        cls: ClassOf[DataStreamFormat[Any]], stream: InternalSensor, format: StreamFormat
+    ) -> DataStreamFormat[None]:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, stream=stream, format=format)
+
+    @classmethod
+    def default(
+        cls: ClassOf[DataStreamFormat[Any]], stream: InternalSensor, format: StreamFormat
+    ) -> DataStreamFormat[None]:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, stream=stream, format=format)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (DataStreamFormatResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamFormat[R], int]:
+        stream: InternalSensor | None = None
+        format: StreamFormat | None = None
+        v = _DATA_STREAM_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _DATA_STREAM_FORMAT_1.read(raw, at)
+            at += 1
+            stream = InternalSensor(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _DATA_STREAM_FORMAT_2.read(raw, at)
+            at += 1
+            format = StreamFormat(v[0])
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, stream, format), at
+
+    def _write(self) -> bytes:
+        out = _DATA_STREAM_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _DATA_STREAM_FORMAT_GROUPS)
+        if there >= 1:
+            out += _DATA_STREAM_FORMAT_1.write(self.stream)
+        if there >= 2:
+            out += _DATA_STREAM_FORMAT_2.write(self.format)
+        return codec.finished(out)
+
+
+_DEVICE_POWER_STATE_0 = codec.Block("B", "function")
+_DEVICE_POWER_STATE_1 = codec.Block("B", "device")
+_DEVICE_POWER_STATE_2 = codec.Block("B", "state")
+_DEVICE_POWER_STATE_GROUPS = ((1, ("device",), False), (2, ("state",), False))
+
+
+class DevicePowerState(Command[R]):
+    """Device power state (0x0C,0x61).
+
+    Sets the power state of an internal sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `DevicePowerStateResponse`. The device may take 5 s to answer. May be supported by 3DM-GX3-35.
+    Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
+    devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
+    Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+
+    - mip-sdk-2014: Device Power State (0x0C,0x61)
+    - mscl: Device Power State (0x0C,0x61)
+    """
+
+    __slots__ = ("function", "device", "state")
+    __match_args__ = ("function", "device", "state")
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x61
+    NAME = "3dm.device_power_state"
+    ROLE = "command"
+    RESPONSES = (DevicePowerStateResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    TIMEOUT = 5.0
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    device: InternalSensor | None
+    """The sensor."""
+    state: SensorPowerState | None
+    """Its power state. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        device: InternalSensor | None = None,
+        state: SensorPowerState | None = None,
+    ) -> None:
+        self.function = function
+        self.device = device
+        self.state = state
+
+    @classmethod
+    def write(
+        cls: ClassOf[DevicePowerState[Any]], device: InternalSensor, state: SensorPowerState
+    ) -> DevicePowerState[None]:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, device=device, state=state)
+
+    @classmethod
+    def read(
+        cls: ClassOf[DevicePowerState[Any]], device: InternalSensor
+    ) -> DevicePowerState[DevicePowerStateResponse]:
+        """Return the current setting in a response."""
+        return cls(FunctionSelector.READ, device=device)
+
+    @classmethod
+    def save(cls: ClassOf[DevicePowerState[Any]], device: InternalSensor) -> DevicePowerState[None]:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, device=device)
+
+    @classmethod
+    def load(cls: ClassOf[DevicePowerState[Any]], device: InternalSensor) -> DevicePowerState[None]:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, device=device)
+
+    @classmethod
+    def default(
+        cls: ClassOf[DevicePowerState[Any]], device: InternalSensor
+    ) -> DevicePowerState[None]:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, device=device)
+
+    @property
+    def expected(self) -> ResponseClasses:
+        if self.function == FunctionSelector.READ:
+            return (DevicePowerStateResponse,)
+        return ()
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DevicePowerState[R], int]:
+        device: InternalSensor | None = None
+        state: SensorPowerState | None = None
+        v = _DEVICE_POWER_STATE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _DEVICE_POWER_STATE_1.read(raw, at)
+            at += 1
+            device = InternalSensor(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _DEVICE_POWER_STATE_2.read(raw, at)
+            at += 1
+            state = SensorPowerState(v[0])
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, device, state), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_POWER_STATE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _DEVICE_POWER_STATE_GROUPS)
+        if there >= 1:
+            out += _DEVICE_POWER_STATE_1.write(self.device)
+        if there >= 2:
+            out += _DEVICE_POWER_STATE_2.write(self.state)
+        return codec.finished(out)
+
+
+_GPS_ADVANCED_SETTINGS_0 = codec.Block("B", "function")
+
+
+class GpsAdvancedSettings(Command[None]):
+    """GPS advanced settings (0x0C,0x62).
+
+    Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+
+    For advanced use. Functions: `save`, `load` and `default`. May be supported by 3DM-GX3-35. Known
+    only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
+    have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+
+    In direct mode, your program configures the u-blox receiver with its own protocol; see
+    `system.CommMode`.
+
+    - mip-sdk-2014: GPS Advanced Settings (0x0C,0x62)
+    - mscl: GPS Advanced Settings (0x0C,0x62)
+    """
+
+    __slots__ = ("function",)
+    __match_args__ = ("function",)
+
+    SET = 0x0C
+    SETS = (0x0C,)
+    DESCRIPTOR = 0x62
+    NAME = "3dm.gps_advanced_settings"
+    ROLE = "command"
+    REQUIRED = {3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+
+    def __init__(self, function: FunctionSelector) -> None:
+        self.function = function
+
+    @classmethod
+    def save(cls) -> GpsAdvancedSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GpsAdvancedSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GpsAdvancedSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsAdvancedSettings, int]:
+        v = _GPS_ADVANCED_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        return cls(function), at
+
+    def _write(self) -> bytes:
+        out = _GPS_ADVANCED_SETTINGS_0.write(self.function)
+        return codec.finished(out)
+
+
 _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
@@ -9168,7 +10470,10 @@ FilterMessageFormatResponse.COMMANDS = (FilterMessageFormat,)
 GetImuBaseRateResponse.COMMANDS = (GetImuBaseRate,)
 GetGnssBaseRateResponse.COMMANDS = (GetGnssBaseRate,)
 DataStreamControlResponse.COMMANDS = (DataStreamControl,)
+ImuSignalConditioningResponse.COMMANDS = (ImuSignalConditioning,)
 UartBaudRateResponse.COMMANDS = (UartBaudRate,)
+DataStreamFormatResponse.COMMANDS = (DataStreamFormat,)
+DevicePowerStateResponse.COMMANDS = (DevicePowerState,)
 GetFilterBaseRateResponse.COMMANDS = (GetFilterBaseRate,)
 ImuLowPassFilterResponse.COMMANDS = (ImuLowPassFilter,)
 NmeaMessageFormatResponse.COMMANDS = (NmeaMessageFormat,)
@@ -9182,6 +10487,8 @@ DeviceStatusDiagnosticGq4_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticRq1_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticGx4Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticImuResponse.COMMANDS = (DeviceStatus,)
+GpsDynamicsModeResponse.COMMANDS = (GpsDynamicsMode,)
+ImuTimestampResponse.COMMANDS = (ImuTimestamp,)
 ComplementaryFilterResponse.COMMANDS = (ComplementaryFilter,)
 AccelBiasResponse.COMMANDS = (AccelBias,)
 GyroBiasResponse.COMMANDS = (GyroBias, CaptureGyroBias)
@@ -9227,6 +10534,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0F: (MessageFormat,),
     0x10: (FactoryStreaming,),
     0x11: (DataStreamControl,),
+    0x20: (RawRtcm2_3Message,),
     0x21: (ConstellationSettings,),
     0x22: (GnssSbasSettings,),
     0x23: (GnssAssistedFix,),
@@ -9242,6 +10550,9 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x31: (SensorToVehicleTransformEuler,),
     0x32: (SensorToVehicleTransformQuaternion,),
     0x33: (SensorToVehicleTransformDcm,),
+    0x34: (GpsDynamicsMode,),
+    0x35: (ImuSignalConditioning,),
+    0x36: (ImuTimestamp,),
     0x37: (AccelBias,),
     0x38: (GyroBias,),
     0x39: (CaptureGyroBias,),
@@ -9257,6 +10568,9 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x52: (SensorRange,),
     0x53: (GetCalibratedSensorRanges,),
     0x54: (LowPassFilter,),
+    0x60: (DataStreamFormat,),
+    0x61: (DevicePowerState,),
+    0x62: (GpsAdvancedSettings,),
     0x64: (DeviceStatus,),
     0x80: (ImuMessageFormatResponse,),
     0x81: (GnssMessageFormatResponse,),
@@ -9264,7 +10578,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x83: (GetImuBaseRateResponse,),
     0x84: (GetGnssBaseRateResponse,),
     0x85: (DataStreamControlResponse,),
+    0x86: (ImuSignalConditioningResponse,),
     0x87: (UartBaudRateResponse,),
+    0x88: (DataStreamFormatResponse,),
+    0x89: (DevicePowerStateResponse,),
     0x8A: (GetFilterBaseRateResponse,),
     0x8B: (ImuLowPassFilterResponse,),
     0x8C: (NmeaMessageFormatResponse,),
@@ -9280,6 +10597,8 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
         DeviceStatusDiagnosticGx4Response,
         DeviceStatusDiagnosticImuResponse,
     ),
+    0x92: (GpsDynamicsModeResponse,),
+    0x93: (ImuTimestampResponse,),
     0x97: (ComplementaryFilterResponse,),
     0x9A: (AccelBiasResponse,),
     0x9B: (GyroBiasResponse,),

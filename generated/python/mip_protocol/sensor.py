@@ -57,9 +57,10 @@ class RawAccel(Data):
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Accel (0x80,0x01)
+    - mip-sdk-2014: Raw Accel (0x80,0x01)
     """
 
     __slots__ = ("raw_accel",)
@@ -99,9 +100,10 @@ class RawGyro(Data):
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Gyro (0x80,0x02)
+    - mip-sdk-2014: Raw Gyro (0x80,0x02)
     """
 
     __slots__ = ("raw_gyro",)
@@ -141,9 +143,10 @@ class RawMag(Data):
 
     Raw magnetic field in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Mag (0x80,0x03)
+    - mip-sdk-2014: Raw Mag (0x80,0x03)
     """
 
     __slots__ = ("raw_mag",)
@@ -503,10 +506,11 @@ class CompOrientationUpdateMatrix(Data):
     Change of the attitude from the complementary filter as a matrix.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the change and the
-    frames. The SDK gives the name only.
+    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
+    the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+    - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
     """
 
     __slots__ = ("m",)
@@ -599,10 +603,14 @@ class OrientationRawTemperature(Data):
     Raw readings of four temperature sensors.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Also called
-    `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain MIP
-    SDK.
+    `orientation_raw_temp`. Not listed in any device profile. Known only from the MIP SDK of 2014
+    and MicroStrain MIP SDK.
+
+    The first sensor is that of the magnetometer, the second that of gyroscope 3 and accelerometer
+    3, the third that of gyroscope 2 and accelerometers 1 and 2, the fourth that of gyroscope 1.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+    - mip-sdk-2014: Raw Temperature (0x80,0x0D)
     """
 
     __slots__ = ("raw_temperature",)
@@ -616,7 +624,8 @@ class OrientationRawTemperature(Data):
     _LAYOUT = (("raw_temperature", "HHHH", tuple),)
 
     raw_temperature: tuple[int, int, int, int]
-    """Temperatures in counts. Unit: 1. Uncertain: The scale, and which sensor is which."""
+    """Temperatures in counts. Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are.
+    """
 
     def __init__(self, raw_temperature: Sequence[int]) -> None:
         self.raw_temperature = codec.several(raw_temperature)
@@ -644,9 +653,11 @@ class InternalTimestamp(Data):
     Free-running counter of the device.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK.
+    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices
+    send it. The SDK of 2014 is for devices of the 3-series and 4-series.
 
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+    - mip-sdk-2014: Internal Timestamp (0x80,0x0E)
     """
 
     __slots__ = ("counts",)
@@ -660,7 +671,7 @@ class InternalTimestamp(Data):
     _LAYOUT = (("counts", "I", None),)
 
     counts: int
-    """Counter. Unit: 1. Uncertain: The period of one count."""
+    """Counter: 62 500 counts per second, 16 us each. Unit: 1."""
 
     def __init__(self, counts: int) -> None:
         self.counts = counts
@@ -685,8 +696,12 @@ class PpsTimestamp(Data):
 
     Time counted by the pulse per second.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
+    `PpsTimestampWithFlags` by the size of its data. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK. Uncertain: Whether any device sends it. `PpsTimestampWithFlags`
+    has more sources. Uncertain: The epoch.
+
+    The sources contradict each other. Only the SDK has this layout.
 
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
@@ -711,6 +726,10 @@ class PpsTimestamp(Data):
         self.useconds = useconds
 
     @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return len(data) < 9
+
+    @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
         v = _PPS_TIMESTAMP_0.read(raw, at)
         at += 8
@@ -720,6 +739,65 @@ class PpsTimestamp(Data):
 
     def _write(self) -> bytes:
         out = _PPS_TIMESTAMP_0.write(self.seconds, self.useconds)
+        return codec.finished(out)
+
+
+_PPS_TIMESTAMP_WITH_FLAGS_0 = codec.Block("BII", "flags", "seconds", "nanoseconds")
+
+
+class PpsTimestampWithFlags(Data):
+    """PPS timestamp with flags (0x80,0x0F).
+
+    Time counted by the pulse per second, with its state and nanoseconds.
+
+    Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished
+    from `PpsTimestamp` by the size of its data. Not listed in any device profile. Known only from
+    the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices send it. The
+    SDK of 2014 is of the time of the 3DM-GX3 devices. Uncertain: The epoch.
+
+    The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+
+    - mscl: 1PPS Timestamp (0x80,0x0F)
+    - mip-sdk-2014: 1PPS Timestamp (0x80,0x0F)
+    """
+
+    __slots__ = ("flags", "seconds", "nanoseconds")
+    __match_args__ = ("flags", "seconds", "nanoseconds")
+
+    SET = 0x80
+    SETS = (0x80,)
+    DESCRIPTOR = 0x0F
+    NAME = "sensor.pps_timestamp_with_flags"
+    ROLE = "data"
+    _LAYOUT = (("flags", "B", None), ("seconds", "I", None), ("nanoseconds", "I", None))
+
+    flags: int
+    """State of the time. Uncertain: The meaning of the bits, which no source states."""
+    seconds: int
+    """Whole seconds. Unit: s."""
+    nanoseconds: int
+    """Fraction of the second. Unit: ns."""
+
+    def __init__(self, flags: int, seconds: int, nanoseconds: int) -> None:
+        self.flags = flags
+        self.seconds = seconds
+        self.nanoseconds = nanoseconds
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 9 <= len(data)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestampWithFlags, int]:
+        v = _PPS_TIMESTAMP_WITH_FLAGS_0.read(raw, at)
+        at += 9
+        flags = v[0]
+        seconds = v[1]
+        nanoseconds = v[2]
+        return cls(flags, seconds, nanoseconds), at
+
+    def _write(self) -> bytes:
+        out = _PPS_TIMESTAMP_WITH_FLAGS_0.write(self.flags, self.seconds, self.nanoseconds)
         return codec.finished(out)
 
 
@@ -1148,7 +1226,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0C: (CompEulerAngles,),
     0x0D: (OrientationRawTemperature,),
     0x0E: (InternalTimestamp,),
-    0x0F: (PpsTimestamp,),
+    0x0F: (PpsTimestamp, PpsTimestampWithFlags),
     0x10: (NorthVector,),
     0x11: (UpVector,),
     0x12: (GpsTimestamp,),

@@ -380,9 +380,14 @@ class ExternalTimestamp(Shared, Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
-    valid when the external clock is synchronized through the PPS.
+    valid when the external clock is synchronized through the PPS. Its epoch is that of the time
+    that you send with `base.GpsTimeUpdate`. It is GPS time in most systems, but may be another,
+    such as Unix time. Use `GpsTimestamp` for GPS time only. With a receiver as the source of the
+    PPS (`mip_3dm.PpsSourceControl`), it is GPS time, and valid only while that receiver has a fix.
 
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
+    - 3dm-cv7-gnss-ins: Timestamps
+    - 3dm-cv7-gnss-ins: RECEIVER Source
     """
 
     __slots__ = ("nanoseconds", "valid_flags")

@@ -31,6 +31,8 @@ class CommProtocols(IntFlag):
     """RTCM corrections. Bit 9."""
     SPARTN = 1 << 24
     """SPARTN corrections. Bit 24."""
+    SBF = 1 << 29
+    """SBF, the binary format of Septentrio receivers. Bit 29."""
 
 
 class ProtocolMode(codec.OpenEnum):

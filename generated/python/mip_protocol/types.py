@@ -240,8 +240,9 @@ class EventTriggerGpioMode(codec.OpenEnum):
     WHILE_LOW = 2
     """Active while the pin is low. The pin needs the gpio feature."""
     EDGE = 4
-    """Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
-    selects the edge.
+    """Active for one event cycle after an edge. Each edge is a new activation, but actions run once
+    per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp
+    feature, whose behavior selects the edge.
     """
 
 
@@ -316,17 +317,21 @@ _EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
 class EventThresholdWindow(Structure):
-    """Two thresholds with a window between them."""
+    """Two thresholds with a window between them.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
+    - mip-sdk-4: Event Trigger (0x0C,0x2E)
+    """
 
     __slots__ = ("low_threshold", "high_threshold")
     __match_args__ = ("low_threshold", "high_threshold")
 
     low_threshold: float
-    """Lower threshold, in the unit of the watched value."""
+    """Lower threshold, in the unit of the watched value. The SDK calls it the first threshold."""
     high_threshold: float
     """Upper threshold, in the unit of the watched value. The trigger is active from the lower
     threshold to the upper one, both included. If the upper one is below the lower one, it is active
-    below the upper and above the lower one, both excluded.
+    below the upper and above the lower one, both excluded. The SDK calls it the second threshold.
     """
 
     def __init__(self, low_threshold: float, high_threshold: float) -> None:
@@ -350,17 +355,23 @@ _EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval"
 
 
 class EventThresholdInterval(Structure):
-    """A threshold inside a repeating interval."""
+    """A threshold inside a repeating interval.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
+    - mip-sdk-4: Event Trigger (0x0C,0x2E)
+    """
 
     __slots__ = ("interval_threshold", "interval")
     __match_args__ = ("interval_threshold", "interval")
 
     interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
+    The SDK calls it the first threshold.
     """
     interval: float
     """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
     two swap roles: the trigger is active while the value modulo `interval_threshold` is above this.
+    The SDK calls it the second threshold.
     """
 
     def __init__(self, interval_threshold: float, interval: float) -> None:
@@ -873,6 +884,8 @@ class NmeaMessageId(codec.OpenEnum):
     """An NMEA-0183 sentence that a device can send.
 
     - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    - 3dm-cv7-gnss-ins: PMSRA - Euler Angles
+    - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
     """
 
     GGA = 1
@@ -892,9 +905,13 @@ class NmeaMessageId(codec.OpenEnum):
     GST = 8
     """GNSS error statistics. From a GNSS or the filter data set."""
     MSRA = 129
-    """Proprietary PMSRA: Euler angles. From the filter data set."""
+    """Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+    degrees with three decimals. From the filter data set.
+    """
     MSRR = 130
-    """Proprietary PMSRR: acceleration and angular rate. From the sensor data set."""
+    """Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and
+    angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set.
+    """
 
 
 class NmeaTalkerId(codec.OpenEnum):
@@ -981,9 +998,9 @@ class CommInterface(codec.OpenEnum):
     UART_1 = 17
     """The first port that is a UART or can be one."""
     UART_2 = 18
-    """The second UART."""
+    """The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models."""
     UART_3 = 19
-    """The third UART."""
+    """The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models."""
     USB_1 = 33
     """First virtual serial port of USB."""
     USB_2 = 34

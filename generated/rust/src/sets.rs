@@ -4,6 +4,10 @@
 pub mod aiding;
 #[cfg(feature = "base")]
 pub mod base;
+#[cfg(feature = "displacement")]
+pub mod displacement;
+#[cfg(feature = "displacement_data")]
+pub mod displacement_data;
 #[cfg(feature = "filter")]
 pub mod filter;
 #[cfg(feature = "filter_data")]

@@ -299,8 +299,9 @@ open_enum! {
         WHILE_HIGH = 1, "while_high";
         /// Active while the pin is low. The pin needs the gpio feature.
         WHILE_LOW = 2, "while_low";
-        /// Active for one event cycle after an edge. The pin needs the timestamp feature, whose
-        /// behavior selects the edge.
+        /// Active for one event cycle after an edge. Each edge is a new activation, but actions run
+        /// once per cycle: of several edges in one cycle, only one has an effect. The pin needs the
+        /// timestamp feature, whose behavior selects the edge.
         EDGE = 4, "edge";
     }
 }
@@ -363,13 +364,19 @@ constructors! {
 
 record! {
     /// Two thresholds with a window between them.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams; mip-sdk-4: Event Trigger (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
+        ///
+        /// - The SDK calls it the first threshold.
         pub low_threshold: f64,
         /// Upper threshold, in the unit of the watched value. The trigger is active from the lower
         /// threshold to the upper one, both included. If the upper one is below the lower one, it
         /// is active below the upper and above the lower one, both excluded.
+        ///
+        /// - The SDK calls it the second threshold.
         pub high_threshold: f64,
     }
 }
@@ -384,14 +391,20 @@ constructors! {
 
 record! {
     /// A threshold inside a repeating interval.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams; mip-sdk-4: Event Trigger (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventThresholdInterval {
         /// The trigger is active while the remainder is at most this, in the unit of the watched
         /// value.
+        ///
+        /// - The SDK calls it the first threshold.
         pub interval_threshold: f64,
         /// Divisor of the remainder, in the unit of the watched value. If it is below the
         /// threshold, the two swap roles: the trigger is active while the value modulo
         /// `interval_threshold` is above this.
+        ///
+        /// - The SDK calls it the second threshold.
         pub interval: f64,
     }
 }
@@ -849,7 +862,8 @@ bitfield! {
 open_enum! {
     /// An NMEA-0183 sentence that a device can send.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs.
+    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs; 3dm-cv7-gnss-ins: PMSRA -
+    /// Euler Angles; 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration.
     NmeaMessageId: u8 {
         /// GNSS fix. From a GNSS or the filter data set.
         GGA = 1, "gga";
@@ -867,9 +881,12 @@ open_enum! {
         ZDA = 7, "zda";
         /// GNSS error statistics. From a GNSS or the filter data set.
         GST = 8, "gst";
-        /// Proprietary PMSRA: Euler angles. From the filter data set.
+        /// Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+        /// degrees with three decimals. From the filter data set.
         MSRA = 129, "msra";
-        /// Proprietary PMSRR: acceleration and angular rate. From the sensor data set.
+        /// Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in
+        /// g and angular rate in deg/s about the x, y and z axes, with six decimals. From the
+        /// sensor data set.
         MSRR = 130, "msrr";
     }
 }
@@ -933,9 +950,9 @@ open_enum! {
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.
         UART_1 = 17, "uart_1";
-        /// The second UART.
+        /// The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models.
         UART_2 = 18, "uart_2";
-        /// The third UART.
+        /// The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
         UART_3 = 19, "uart_3";
         /// First virtual serial port of USB.
         USB_1 = 33, "usb_1";

@@ -31,7 +31,10 @@ Spans = frozenset[tuple[int, int]]
 
 
 def audit(model: m.Model, folder: Path) -> list[Finding]:
-    """All differences. Raises SpecError where a file cannot be read."""
+    """All differences. Raises SpecError where a file cannot be read. Without both files there is nothing to compare
+    if the folder has the facts of `witness` instead."""
+    if (folder / "witness.yaml").is_file() and not any((folder / name).exists() for name in (LAYOUTS, NAMES)):
+        return []
     problems = Problems()
     layouts, names = (read(folder / name, name, problems) for name in (LAYOUTS, NAMES))
     problems.raise_if_any()
@@ -108,12 +111,12 @@ class _Layouts:
     def layout(self, number: int, node: Node, known: dict[tuple[int, str], Node]) -> Iterator[Finding]:
         descriptor, role = node["descriptor"].value, node["role"].value
         fields = _fields(self.model, number, descriptor, role)
-        if len(fields) != 1:
-            yield _finding(node.position, f"{_key(number, descriptor)}: {len(fields)} fields have the role {role}")
+        if not fields:
+            yield _finding(node.position, f"{_key(number, descriptor)}: 0 fields have the role {role}")
             return
-        f = fields[0]
         asked = known[node["of"].value, m.COMMAND] if node["parameters"].value == "as_command" else node
-        messages = [*self.about(f, node), *self.parameters(f, asked)]
+        compared = [(f, [*self.about(f, node), *self.parameters(f, asked)]) for f in fields]
+        f, messages = min(compared, key=lambda x: len(x[1]))  # of several layouts the one that comes nearest
         erratum = self.erratum(f)
         if erratum is not None and not messages:
             messages = [f"no difference, but the erratum '{erratum}' tells of one"]
@@ -162,6 +165,7 @@ class _Layouts:
         return any(_doubts(p) for x in every for p in x.parameters) or any(x.uncertain for x in every)
 
     def record(self, ours: tuple[m.Parameter, ...], given: list[Node], inside: str = "") -> Iterator[str]:
+        ours, given = _without_reserved(ours, given)
         if len(ours) != len(given):
             yield f"{inside or 'it'} has {len(ours)} parameters, not {len(given)}"
             return
@@ -170,7 +174,7 @@ class _Layouts:
             name = f"{inside}.{p.name}" if inside else p.name
             bounds = _given_range(node, self.above)
             for what, own, other in (
-                ("type", _wire(p, mine), _given_wire(node, theirs)),
+                ("type", wire(p, mine), _given_wire(node, theirs)),
                 ("for", _letters(p), node.scalar("for", "") if self.functions and not inside else ""),
                 ("unit", {*p.units} - {"1"}, {node.scalar("unit")} - {None, "1"}),
                 ("frame", p.frame, node.scalar("frame")),
@@ -181,8 +185,8 @@ class _Layouts:
                 ("values", _values(p.element), _given_values(node)),
                 ("bits", _bits(p.element), _given_bits(node)),
             ):
-                if own != other:
-                    yield f"{name}: {what} {_shown(own)}, not {_shown(other)}"
+                if own != other and not _ahead(own, other):
+                    yield f"{name}: {what} {shown(own)}, not {shown(other)}"
             if "alternative" in node and not self.has_bits(_given_bits(node["alternative"])):
                 yield f"{name}: no type has the bits of {node['alternative']['bitfield'].value}"
             # the facts may name a fitting type of the specification
@@ -217,6 +221,29 @@ class _Layouts:
                             yield _finding(place, f"{_key(one, int(descriptor, 16))} is no {role}, not even by name")
 
 
+def _without_reserved(ours: tuple[m.Parameter, ...], given: list[Node]) -> tuple[tuple[m.Parameter, ...], list[Node]]:
+    """Both without bytes that the other source reserves and the specification, which may be ahead, has values in."""
+    for at, node in enumerate(given):
+        count = node.scalar("count")
+        if "reserved" not in node or node.scalar("type") != "u8" or not isinstance(count, int):
+            continue
+        for end in range(at + 2, len(ours) + 1):
+            inside = ours[at:end]
+            sizes = [p.size * (p.length or 1) for p in inside if p.kind != "switch" and not isinstance(p.length, str)]
+            if len(sizes) == len(inside) and sum(sizes) == count:
+                return ours[:at] + ours[end:], given[:at] + given[at + 1 :]
+    return ours, given
+
+
+def _ahead(own: object, other: object) -> bool:
+    """Are these bits, and does the specification have those of the other source beside others of a later revision?"""
+    if not isinstance(own, frozenset) or not isinstance(other, frozenset):
+        return False
+    spans = [x for x in other if isinstance(x, tuple)]
+    covering = {s for s in spans for t in spans if s != t and s[0] <= t[0] and t[1] <= s[1]}  # it grows with its bits
+    return bool(spans) and own > other - covering
+
+
 def _listed(layout: Node) -> list[Node]:
     parameters = layout["parameters"]
     return [] if parameters.value == "as_command" else list(parameters)
@@ -243,9 +270,9 @@ def _doubts(p: m.Parameter) -> bool:
 # --------------------------------------------------------------------------- one parameter
 
 
-def _shown(value: Any) -> str:
+def shown(value: Any) -> str:
     if isinstance(value, (set, frozenset)):
-        return ", ".join(map(_shown, sorted(value))) or "none"
+        return ", ".join(map(shown, sorted(value))) or "none"
     if isinstance(value, tuple):
         first, second = value
         if isinstance(first, int):
@@ -254,7 +281,7 @@ def _shown(value: Any) -> str:
     return "none" if value in (None, "") else str(value)
 
 
-def _wire(p: m.Parameter, names: list[str]) -> Wire:
+def wire(p: m.Parameter, names: list[str]) -> Wire:
     length: int | str | None = p.length
     if isinstance(length, str) and length in names:
         length = f"counted by parameter {names.index(length) + 1}"
@@ -297,6 +324,8 @@ def _range(p: m.Parameter, given: str) -> str:
 
     Where the length of a vector is limited, the source may give that limit for each element, or none.
     """
+    if p.frame == "llh" and not given:  # latitudes and longitudes have limits of their own
+        return given
     if p.magnitude[1] is not None and given in ("", f">= {-p.magnitude[1]} <= {p.magnitude[1]}"):
         return given
     low = f"> {p.above}" if p.above is not None else f">= {p.minimum}" if p.minimum is not None else ""

@@ -258,7 +258,7 @@ def _of_another_time(name: str, *folders: Path) -> Model:
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk
+    from mipgen.audit import devices, manuals, sdk, witness
     from mipgen.read.problems import nearest
 
     if not options.manual and options.sdk is None:
@@ -276,7 +276,7 @@ def audit(options: Namespace) -> int:
     if options.sdk is not None:
         if not options.sdk.is_dir():
             raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
-        findings += [*sdk.audit(model, options.sdk), *devices.audit(model, options.sdk)]
+        findings += [a for each in (sdk, devices, witness) for a in each.audit(model, options.sdk)]
     print("".join(f"{f}\n" for f in findings), end="")
     print(f"{len(findings)} findings")
     return 1 if findings else 0

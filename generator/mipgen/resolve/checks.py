@@ -87,7 +87,7 @@ def descriptors(model: m.Model, problems: Problems) -> None:
             if other is None:
                 layouts.append(f)
                 continue
-            apart = ", or a const or a fixed size that tells the layouts apart" if f.role == m.RESPONSE else ""
+            apart = ", or a const or a fixed size that tells the layouts apart" if f.role != m.COMMAND else ""
             problems.add(
                 f.position,
                 f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
@@ -108,8 +108,8 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
-    """By a constant that differs; or, with the same constants, by their sizes."""
-    if a.role != m.RESPONSE or b.role != m.RESPONSE:
+    """By a constant that differs; or, with the same constants, by their sizes. A command has one layout."""
+    if m.COMMAND in (a.role, b.role):
         return False
     mine = {(at, len(constant)): constant for at, constant in a.signature}
     if any(mine.get((at, len(constant)), constant) != constant for at, constant in b.signature):

@@ -103,6 +103,7 @@ _TIME: dict[str, Function] = {
     "reference.time": lambda w, _: w.now - w.booted,
     "reference.delta": lambda w, out: w.now - out.previous,
     "external.delta": lambda w, out: w.now - out.previous,
+    "reference.counts": lambda w, _: (w.now - w.booted) // 16000 % 2**32,
     "ticks.count": lambda w, out: _ticks(w.now - w.booted, out),
     "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
     "event.trigger": lambda w, _: w.trigger,

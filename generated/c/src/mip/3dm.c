@@ -592,6 +592,24 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     0,
     program_data_stream_control_response};
 
+static const uint8_t program_raw_rtcm_2_3_message[] = {
+    MIP_REST(253, 1, MIP_AT(struct mip_3dm_raw_rtcm_2_3_message, data_count)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_raw_rtcm_2_3_message, data)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
+    0x0C,
+    0x20,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_raw_rtcm_2_3_message),
+    0,
+    program_raw_rtcm_2_3_message};
+
+const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
+    &mip_3dm_raw_rtcm_2_3_message_codec, NULL, NULL, 0};
+
 static const uint8_t program_constellation_settings[] = {
     MIP_REQUIRED(1, 3),
     MIP_GROUP(1),
@@ -1331,6 +1349,150 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     0,
     program_sensor_to_vehicle_dcm_response};
 
+static const uint8_t program_gps_dynamics_mode[] = {
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_dynamics_mode, mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
+                                                          0x34,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_3dm_gps_dynamics_mode),
+                                                          0,
+                                                          program_gps_dynamics_mode};
+
+static bool asked_gps_dynamics_mode_1(const void *value) {
+    const struct mip_3dm_gps_dynamics_mode *v = (const struct mip_3dm_gps_dynamics_mode *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gps_dynamics_mode[] = {
+    {&mip_3dm_gps_dynamics_mode_response_codec, asked_gps_dynamics_mode_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_3dm_gps_dynamics_mode_command = {&mip_3dm_gps_dynamics_mode_codec,
+                                                              NULL, responses_gps_dynamics_mode, 0};
+
+static const uint8_t program_gps_dynamics_mode_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_dynamics_mode_response, mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec = {
+    0x0C,
+    0x92,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_3dm_gps_dynamics_mode_response),
+    0,
+    program_gps_dynamics_mode_response};
+
+static const uint8_t program_imu_signal_conditioning[] = {
+    MIP_REQUIRED(1, 8),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, orientation_decimation)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, data_conditioning_flags)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, inertial_filter_width)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, mag_filter_width)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, up_compensation)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, north_compensation)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, mag_bandwidth)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
+    0x0C,
+    0x35,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_imu_signal_conditioning),
+    0,
+    program_imu_signal_conditioning};
+
+static bool asked_imu_signal_conditioning_1(const void *value) {
+    const struct mip_3dm_imu_signal_conditioning *v =
+        (const struct mip_3dm_imu_signal_conditioning *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_signal_conditioning[] = {
+    {&mip_3dm_imu_signal_conditioning_response_codec, asked_imu_signal_conditioning_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_3dm_imu_signal_conditioning_command = {
+    &mip_3dm_imu_signal_conditioning_codec, NULL, responses_imu_signal_conditioning, 0};
+
+static const uint8_t program_imu_signal_conditioning_response[] = {
+    MIP_16_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, orientation_decimation)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, inertial_filter_width)),
+    MIP_16_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, up_compensation)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, mag_bandwidth)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec = {
+    0x0C,
+    0x86,
+    MIP_RESPONSE,
+    13,
+    sizeof(struct mip_3dm_imu_signal_conditioning_response),
+    0,
+    program_imu_signal_conditioning_response};
+
+static const uint8_t program_imu_timestamp[] = {
+    MIP_REQUIRED(2, 2, 1),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp, selector)),
+    MIP_GROUP(1),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp, time)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_imu_timestamp_codec = {
+    0x0C, 0x36, MIP_COMMAND, 0, sizeof(struct mip_3dm_imu_timestamp), 0, program_imu_timestamp};
+
+static bool asked_imu_timestamp_1(const void *value) {
+    const struct mip_3dm_imu_timestamp *v = (const struct mip_3dm_imu_timestamp *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_timestamp[] = {
+    {&mip_3dm_imu_timestamp_response_codec, asked_imu_timestamp_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec, NULL,
+                                                          responses_imu_timestamp, 0};
+
+static const uint8_t program_imu_timestamp_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp_response, selector)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp_response, time)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_imu_timestamp_response_codec = {
+    0x0C,
+    0x93,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_3dm_imu_timestamp_response),
+    0,
+    program_imu_timestamp_response};
+
 static const uint8_t program_accel_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
     MIP_GROUP(1),
@@ -1974,6 +2136,113 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     sizeof(struct mip_3dm_low_pass_filter_response),
     0,
     program_low_pass_filter_response};
+
+static const uint8_t program_data_stream_format[] = {
+    MIP_REQUIRED(5, 2, 2, 2, 2, 2),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_format, stream)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_format, format)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_data_stream_format_codec = {
+    0x0C,
+    0x60,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_data_stream_format),
+    0,
+    program_data_stream_format};
+
+static bool asked_data_stream_format_1(const void *value) {
+    const struct mip_3dm_data_stream_format *v = (const struct mip_3dm_data_stream_format *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_data_stream_format[] = {
+    {&mip_3dm_data_stream_format_response_codec, asked_data_stream_format_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_3dm_data_stream_format_command = {
+    &mip_3dm_data_stream_format_codec, NULL, responses_data_stream_format, 0};
+
+static const uint8_t program_data_stream_format_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_format_response, stream)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_data_stream_format_response_codec = {
+    0x0C,
+    0x88,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_data_stream_format_response),
+    0,
+    program_data_stream_format_response};
+
+static const uint8_t program_device_power_state[] = {
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_power_state, device)),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_power_state, state)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_power_state_codec = {
+    0x0C,
+    0x61,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_device_power_state),
+    0,
+    program_device_power_state};
+
+static bool asked_device_power_state_1(const void *value) {
+    const struct mip_3dm_device_power_state *v = (const struct mip_3dm_device_power_state *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_device_power_state[] = {
+    {&mip_3dm_device_power_state_response_codec, asked_device_power_state_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_3dm_device_power_state_command = {
+    &mip_3dm_device_power_state_codec, NULL, responses_device_power_state, 5000};
+
+static const uint8_t program_device_power_state_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_power_state_response, device)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_power_state_response_codec = {
+    0x0C,
+    0x89,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_device_power_state_response),
+    0,
+    program_device_power_state_response};
+
+static const uint8_t program_gps_advanced_settings[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_advanced_settings, function)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
+    0x0C,
+    0x62,
+    MIP_COMMAND,
+    1,
+    sizeof(struct mip_3dm_gps_advanced_settings),
+    0,
+    program_gps_advanced_settings};
+
+const struct mip_command mip_3dm_gps_advanced_settings_command = {
+    &mip_3dm_gps_advanced_settings_codec, NULL, NULL, 0};
 
 static const uint8_t program_device_status[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status, model_number)),

@@ -128,13 +128,20 @@ MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
  * Where the pulse per second comes from.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+ * - 3dm-cv7-gnss-ins: RECEIVER Source
  */
 enum mip_3dm_pps_source MIP_ENUM_8 {
     /** No pulse. */
     MIP_3DM_PPS_SOURCE_DISABLED = 0,
-    /** From GNSS receiver 1. */
+    /**
+     * From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a
+     * fix.
+     */
     MIP_3DM_PPS_SOURCE_RECEIVER_1 = 1,
-    /** From GNSS receiver 2. */
+    /**
+     * From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a
+     * fix.
+     */
     MIP_3DM_PPS_SOURCE_RECEIVER_2 = 2,
     /** From a GPIO pin that is configured as a PPS input. */
     MIP_3DM_PPS_SOURCE_GPIO = 3,
@@ -195,6 +202,96 @@ struct mip_3dm_event_action_status_entry {
 };
 
 /**
+ * Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers the
+ * modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+ *
+ * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+ */
+enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
+    /** Low accelerations; fits most applications. */
+    MIP_3DM_RECEIVER_DYNAMICS_PORTABLE = 0,
+    /** Fixed installation. */
+    MIP_3DM_RECEIVER_DYNAMICS_FIXED = 1,
+    /** At rest. */
+    MIP_3DM_RECEIVER_DYNAMICS_STATIONARY = 2,
+    /** Walking speed. */
+    MIP_3DM_RECEIVER_DYNAMICS_PEDESTRIAN = 3,
+    /** Road vehicles. */
+    MIP_3DM_RECEIVER_DYNAMICS_AUTOMOTIVE = 4,
+    /** Vessels at sea level. */
+    MIP_3DM_RECEIVER_DYNAMICS_SEA = 5,
+    /** Aircraft with accelerations below 1 g. */
+    MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_1G = 6,
+    /** Aircraft with accelerations below 2 g. */
+    MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_2G = 7,
+    /** Aircraft with accelerations below 4 g. */
+    MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_4G = 8
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
+/**
+ * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
+ * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+ *
+ * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+ * - mscl: IMU Signal Conditioning (0x0C,0x35)
+ */
+typedef uint16_t mip_3dm_data_conditioning_flags;
+/** Bit 0. Computes the orientation. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_ORIENTATION_CALCULATION 0x0001U
+/** Bit 1. Corrects coning and sculling. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_CONING_SCULLING 0x0002U
+/** Bit 4. Sends floats with the least significant byte first. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_LITTLE_ENDIAN_FLOATS 0x0010U
+/** Bit 5. Suppresses values that are not a number. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_NAN_SUPPRESSED 0x0020U
+/** Bit 6. Corrects the distance between the accelerometers. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_FINITE_SIZE_CORRECTION 0x0040U
+/** Bit 8. Switches the magnetometer off. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_MAG 0x0100U
+/** Bit 9. Reduces the power of the magnetometer. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_MAG_LOW_POWER 0x0200U
+/** Bit 10. Disables the correction of the heading. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_NORTH_COMPENSATION 0x0400U
+/** Bit 11. Disables the correction of pitch and roll. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_UP_COMPENSATION 0x0800U
+/** Bit 12. Computes the quaternion. */
+#define MIP_3DM_DATA_CONDITIONING_FLAGS_QUATERNION_CALCULATION 0x1000U
+/**
+ * Bandwidth of the magnetometer of 3-series devices.
+ *
+ * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+ */
+enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
+    /** High bandwidth. */
+    MIP_3DM_MAG_BANDWIDTH_HIGH = 0,
+    /** Low bandwidth. */
+    MIP_3DM_MAG_BANDWIDTH_LOW = 1
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
+/**
+ * A counter of the time of the sensor data.
+ *
+ * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+ */
+enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
+    /** Seconds of the time beacon. */
+    MIP_3DM_IMU_TIMESTAMP_SELECTOR_BEACON_SECONDS = 1,
+    /** Nanoseconds of the time beacon. */
+    MIP_3DM_IMU_TIMESTAMP_SELECTOR_BEACON_NANOSECONDS = 2,
+    /**
+     * Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and for
+     * the nanoseconds.
+     */
+    MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
+/**
  * How the odometer input works.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
@@ -240,6 +337,52 @@ struct mip_3dm_sensor_range_entry {
     float range;
 };
 
+/**
+ * A sensor inside a 3-series device.
+ *
+ * - mip-sdk-2014: Device Power State (0x0C,0x61)
+ */
+enum mip_3dm_internal_sensor MIP_ENUM_8 {
+    /** The inertial sensor. */
+    MIP_3DM_INTERNAL_SENSOR_IMU = 1,
+    /** The GNSS receiver. */
+    MIP_3DM_INTERNAL_SENSOR_GNSS = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
+/**
+ * Format of a data stream.
+ *
+ * - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+ */
+enum mip_3dm_stream_format MIP_ENUM_8 {
+    /** MIP data fields. */
+    MIP_3DM_STREAM_FORMAT_STANDARD = 1,
+    /** Packets of the sensor itself, each in a MIP field. */
+    MIP_3DM_STREAM_FORMAT_WRAPPED_RAW = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_stream_format_name(uint8_t value);
+/**
+ * Power state of an internal sensor.
+ *
+ * - mip-sdk-2014: Device Power State (0x0C,0x61)
+ */
+enum mip_3dm_sensor_power_state MIP_ENUM_8 {
+    /** Full power. */
+    MIP_3DM_SENSOR_POWER_STATE_ON = 1,
+    /** On with reduced power. */
+    MIP_3DM_SENSOR_POWER_STATE_LOW_POWER = 2,
+    /** Asleep. */
+    MIP_3DM_SENSOR_POWER_STATE_SLEEP = 3,
+    /** Off. */
+    MIP_3DM_SENSOR_POWER_STATE_OFF = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
 /**
  * Level of detail of a device status.
  *
@@ -1846,7 +1989,11 @@ struct mip_3dm_data_stream_control {
      * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
-    /** Whether the stream is sent. Default: true. Required for write. */
+    /**
+     * Whether the stream is sent. Default: true. Required for write.
+     *
+     * The stream starts with current data. What was measured while it was disabled is not sent.
+     */
     mip_bool enable;
 };
 
@@ -1881,7 +2028,8 @@ static inline mip_error mip_3dm_data_stream_control_encode(
  *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
  *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
  *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write.
+ * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+ *   current data. What was measured while it was disabled is not sent.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
@@ -2037,6 +2185,62 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     mip_put_8(data, value->descriptor_set);
     mip_put_8(data + 1, value->enabled);
     return MIP_OK;
+}
+
+/**
+ * Raw RTCM 2.3 message: command (0x0C,0x20).
+ *
+ * Sends RTCM 2.3 corrections to the GNSS receiver.
+ *
+ * Supported by 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ *
+ * The receiver uses the RTCM messages 1, 2, 3 and 9.
+ *
+ * A message may be split at any byte and sent with several of these commands.
+ *
+ * - 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20)
+ * - mip-sdk-2014: Raw RTCM 2.3 Message (0x0C,0x20)
+ * - mscl: Raw RTCM 2.3 Message (0x0C,0x20)
+ */
+struct mip_3dm_raw_rtcm_2_3_message {
+    /** The number of elements of data. */
+    uint8_t data_count;
+    /** Bytes of the RTCM stream. */
+    uint8_t data[253];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_RAW_RTCM_2_3_MESSAGE 0x0C20
+/** Its descriptor. */
+#define MIP_3DM_RAW_RTCM_2_3_MESSAGE_DESCRIPTOR 0x20
+/** Its name in the specification. */
+#define MIP_3DM_RAW_RTCM_2_3_MESSAGE_NAME "3dm.raw_rtcm_2_3_message"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
+    struct mip_3dm_raw_rtcm_2_3_message *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_raw_rtcm_2_3_message_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
+    const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
+}
+/**
+ * Raw RTCM 2.3 message. Fills the structure and returns its address.
+ *
+ * - data: Bytes of the RTCM stream.
+ */
+static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
+    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data_count, const uint8_t data[]) {
+    memset(command, 0, sizeof(*command));
+    command->data_count = data_count;
+    mip_copy(command->data, sizeof(command->data), data, data_count * sizeof(data[0]));
+    return command;
 }
 
 /**
@@ -3529,7 +3733,11 @@ union mip_3dm_event_action_config_parameters {
  *
  * A GPIO action needs its pin configured as an output with the gpio feature.
  *
+ * In each event cycle, the device updates all triggers first and then runs each action at most
+ * once. The rate of the cycle is the base rate of the system data.
+ *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config {
     /**
@@ -3664,6 +3872,7 @@ union mip_3dm_event_action_config_response_parameters {
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config_response {
     /** Action instance. */
@@ -3990,6 +4199,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
+ * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
+ * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
+ * vector of the filter.
+ *
  * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
  * start anew.
  *
@@ -4163,6 +4376,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
  *
+ * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
+ * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
+ * vector of the filter.
+ *
  * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
  * start anew.
  *
@@ -4313,6 +4530,534 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
     for (size_t i = 0; i < 9; i++) {
         mip_put_float(data + 4 * i, &value->dcm[i]);
     }
+    return MIP_OK;
+}
+
+/**
+ * GPS dynamics mode: command (0x0C,0x34).
+ *
+ * Sets the dynamics that the GNSS receiver assumes of the vehicle.
+ *
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_gps_dynamics_mode_response. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
+ * for the 3DM-GX3-35 only.
+ *
+ * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+ * - mscl: GPS Dynamics Mode (0x0C,0x34)
+ */
+struct mip_3dm_gps_dynamics_mode {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write. */
+    uint8_t mode;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPS_DYNAMICS_MODE 0x0C34
+/** Its descriptor. */
+#define MIP_3DM_GPS_DYNAMICS_MODE_DESCRIPTOR 0x34
+/** Its name in the specification. */
+#define MIP_3DM_GPS_DYNAMICS_MODE_NAME "3dm.gps_dynamics_mode"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dynamics_mode *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gps_dynamics_mode_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gps_dynamics_mode_encode(
+    const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
+ */
+static inline struct mip_3dm_gps_dynamics_mode *mip_3dm_gps_dynamics_mode_write(
+    struct mip_3dm_gps_dynamics_mode *command, enum mip_3dm_receiver_dynamics mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->mode = (uint8_t)mode;
+    return command;
+}
+/** Return the current setting in a response. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_dynamics_mode *
+mip_3dm_gps_dynamics_mode_read(struct mip_3dm_gps_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_dynamics_mode *
+mip_3dm_gps_dynamics_mode_save(struct mip_3dm_gps_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/** Load the saved setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_dynamics_mode *
+mip_3dm_gps_dynamics_mode_load(struct mip_3dm_gps_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/** Load the factory default setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_dynamics_mode *
+mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+
+/**
+ * GPS dynamics mode response: response (0x0C,0x92).
+ *
+ * No device is certain to support it. Answers mip_3dm_gps_dynamics_mode. Known only from the MIP
+ * SDK of 2014 and MicroStrain Communication Library.
+ *
+ * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
+ * - mscl: GPS Dynamics Mode (0x0C,0x34)
+ */
+struct mip_3dm_gps_dynamics_mode_response {
+    /** Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. */
+    uint8_t mode;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE 0x0C92
+/** Its descriptor. */
+#define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x92
+/** Its name in the specification. */
+#define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_NAME "3dm.gps_dynamics_mode_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
+    struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gps_dynamics_mode_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
+    const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gps_dynamics_mode_response_decode_inline(
+    struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x92, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
+    const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x92, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
+
+/**
+ * IMU signal conditioning: command (0x0C,0x35).
+ *
+ * Configures the filters and the orientation algorithm of 3-series devices.
+ *
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_imu_signal_conditioning_response. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
+ * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
+ * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
+ * device sends `reserved` in the response. MSCL reads it without.
+ *
+ * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
+ * width.
+ *
+ * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+ * - mscl: IMU Signal Conditioning (0x0C,0x35)
+ */
+struct mip_3dm_imu_signal_conditioning {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+     * Required for write.
+     */
+    uint16_t orientation_decimation;
+    /** Processing steps. Default: 3. Required for write. */
+    mip_3dm_data_conditioning_flags data_conditioning_flags;
+    /**
+     * Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
+     * Default: 15. Required for write.
+     */
+    uint8_t inertial_filter_width;
+    /**
+     * Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17.
+     * Required for write.
+     */
+    uint8_t mag_filter_width;
+    /**
+     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     * Required for write.
+     */
+    uint16_t up_compensation;
+    /**
+     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+     * Required for write.
+     */
+    uint16_t north_compensation;
+    /** Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required for write. */
+    uint8_t mag_bandwidth;
+    /** Reserved: send 0. Required for write. */
+    uint16_t reserved;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING 0x0C35
+/** Its descriptor. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING_DESCRIPTOR 0x35
+/** Its name in the specification. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING_NAME "3dm.imu_signal_conditioning"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_signal_conditioning_decode(
+    struct mip_3dm_imu_signal_conditioning *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_signal_conditioning_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_signal_conditioning_encode(
+    const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed. Unit:
+ *   1. Range: 1 to 1000. Required for write.
+ * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
+ * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
+ *   1. Range: 1 to 32. Default: 15. Required for write.
+ * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32.
+ *   Default: 17. Required for write.
+ * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
+ *   for write.
+ */
+static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write(
+    struct mip_3dm_imu_signal_conditioning *command, uint16_t orientation_decimation,
+    mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
+    uint8_t mag_filter_width, uint16_t up_compensation, uint16_t north_compensation,
+    enum mip_3dm_mag_bandwidth mag_bandwidth) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->orientation_decimation = orientation_decimation;
+    command->data_conditioning_flags = data_conditioning_flags;
+    command->inertial_filter_width = inertial_filter_width;
+    command->mag_filter_width = mag_filter_width;
+    command->up_compensation = up_compensation;
+    command->north_compensation = north_compensation;
+    command->mag_bandwidth = (uint8_t)mag_bandwidth;
+    return command;
+}
+/** Return the current setting in a response. Fills the structure and returns its address. */
+static inline struct mip_3dm_imu_signal_conditioning *
+mip_3dm_imu_signal_conditioning_read(struct mip_3dm_imu_signal_conditioning *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+static inline struct mip_3dm_imu_signal_conditioning *
+mip_3dm_imu_signal_conditioning_save(struct mip_3dm_imu_signal_conditioning *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/** Load the saved setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_imu_signal_conditioning *
+mip_3dm_imu_signal_conditioning_load(struct mip_3dm_imu_signal_conditioning *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/** Load the factory default setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_imu_signal_conditioning *
+mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+
+/**
+ * IMU signal conditioning response: response (0x0C,0x86).
+ *
+ * No device is certain to support it. Answers mip_3dm_imu_signal_conditioning. Known only from the
+ * MIP SDK of 2014 and MicroStrain Communication Library.
+ *
+ * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
+ * - mscl: IMU Signal Conditioning (0x0C,0x35)
+ */
+struct mip_3dm_imu_signal_conditioning_response {
+    /**
+     * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+     */
+    uint16_t orientation_decimation;
+    /** Processing steps. Default: 3. */
+    mip_3dm_data_conditioning_flags data_conditioning_flags;
+    /**
+     * Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
+     * Default: 15.
+     */
+    uint8_t inertial_filter_width;
+    /** Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17. */
+    uint8_t mag_filter_width;
+    /**
+     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     */
+    uint16_t up_compensation;
+    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    uint16_t north_compensation;
+    /** Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. */
+    uint8_t mag_bandwidth;
+    /** Reserved. */
+    uint16_t reserved;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE 0x0C86
+/** Its descriptor. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
+#define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_NAME "3dm.imu_signal_conditioning_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
+    struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_signal_conditioning_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
+    const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
+    struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x86, 13);
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->orientation_decimation = mip_get_16(field->data);
+    value->data_conditioning_flags = mip_get_16(field->data + 2);
+    value->inertial_filter_width = mip_get_8(field->data + 4);
+    value->mag_filter_width = mip_get_8(field->data + 5);
+    value->up_compensation = mip_get_16(field->data + 6);
+    value->north_compensation = mip_get_16(field->data + 8);
+    value->mag_bandwidth = mip_get_8(field->data + 10);
+    value->reserved = mip_get_16(field->data + 11);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
+    const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x86, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->orientation_decimation);
+    mip_put_16(data + 2, value->data_conditioning_flags);
+    mip_put_8(data + 4, value->inertial_filter_width);
+    mip_put_8(data + 5, value->mag_filter_width);
+    mip_put_16(data + 6, value->up_compensation);
+    mip_put_16(data + 8, value->north_compensation);
+    mip_put_8(data + 10, value->mag_bandwidth);
+    mip_put_16(data + 11, value->reserved);
+    return MIP_OK;
+}
+
+/**
+ * IMU timestamp: command (0x0C,0x36).
+ *
+ * Sets or reads a counter of the time of the sensor data.
+ *
+ * No device is certain to support it. Functions: write and read. Answered by
+ * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: Which devices
+ * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
+ * needs `time` and ignores it, or leaves it out, as is assumed.
+ *
+ * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+ */
+struct mip_3dm_imu_timestamp {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** Which counter. A value of enum mip_3dm_imu_timestamp_selector. */
+    uint8_t selector;
+    /** Value of the counter, in the unit that `selector` states. Required for write. */
+    uint32_t time;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_TIMESTAMP 0x0C36
+/** Its descriptor. */
+#define MIP_3DM_IMU_TIMESTAMP_DESCRIPTOR 0x36
+/** Its name in the specification. */
+#define MIP_3DM_IMU_TIMESTAMP_NAME "3dm.imu_timestamp"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestamp *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_timestamp_encode(const struct mip_3dm_imu_timestamp *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ * - time: Value of the counter, in the unit that `selector` states. Required for write.
+ */
+static inline struct mip_3dm_imu_timestamp *
+mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
+                            enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->selector = (uint8_t)selector;
+    command->time = time;
+    return command;
+}
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ */
+static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
+    struct mip_3dm_imu_timestamp *command, enum mip_3dm_imu_timestamp_selector selector) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->selector = (uint8_t)selector;
+    return command;
+}
+
+/**
+ * IMU timestamp response: response (0x0C,0x93).
+ *
+ * No device is certain to support it. Answers mip_3dm_imu_timestamp. Known only from the MIP SDK of
+ * 2014.
+ *
+ * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+ */
+struct mip_3dm_imu_timestamp_response {
+    /** Which counter. A value of enum mip_3dm_imu_timestamp_selector. */
+    uint8_t selector;
+    /** Value of the counter, in the unit that `selector` states. */
+    uint32_t time;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_TIMESTAMP_RESPONSE 0x0C93
+/** Its descriptor. */
+#define MIP_3DM_IMU_TIMESTAMP_RESPONSE_DESCRIPTOR 0x93
+/** Its name in the specification. */
+#define MIP_3DM_IMU_TIMESTAMP_RESPONSE_NAME "3dm.imu_timestamp_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_timestamp_response_decode(
+    struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_timestamp_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_timestamp_response_encode(
+    const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
+    struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x93, 5);
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->selector = mip_get_8(field->data);
+    value->time = mip_get_32(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
+    const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x93, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->selector);
+    mip_put_32(data + 1, value->time);
     return MIP_OK;
 }
 
@@ -4754,6 +5499,11 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * The values come from a calibration of the device as it is installed.
  *
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
+ * the filter makes during operation.
+ *
+ * The device applies the correction before it sends mip_sensor_scaled_mag.
+ *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
@@ -4927,6 +5677,11 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
+ *
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
+ * the filter makes during operation.
+ *
+ * The device applies the correction before it sends mip_sensor_scaled_mag.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -6890,6 +7645,469 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     mip_put_8(data + 3, value->manual);
     mip_put_float(data + 4, &value->frequency);
     return MIP_OK;
+}
+
+/**
+ * Data stream format: command (0x0C,0x60).
+ *
+ * Selects MIP data or the raw data of a sensor for a stream.
+ *
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
+ * it to the 3DM-GX3-35.
+ *
+ * Both parameters are sent with every function.
+ *
+ * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
+ * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
+ *
+ * - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+ * - mscl: Data Stream Format (0x0C,0x60)
+ */
+struct mip_3dm_data_stream_format {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** The stream. A value of enum mip_3dm_internal_sensor. */
+    uint8_t stream;
+    /** Its format. A value of enum mip_3dm_stream_format. */
+    uint8_t format;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DATA_STREAM_FORMAT 0x0C60
+/** Its descriptor. */
+#define MIP_3DM_DATA_STREAM_FORMAT_DESCRIPTOR 0x60
+/** Its name in the specification. */
+#define MIP_3DM_DATA_STREAM_FORMAT_NAME "3dm.data_stream_format"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_data_stream_format_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_stream_format *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_data_stream_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_data_stream_format_encode(
+    const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
+    struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->stream = (uint8_t)stream;
+    command->format = (uint8_t)format;
+    return command;
+}
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read(
+    struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->stream = (uint8_t)stream;
+    command->format = (uint8_t)format;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save(
+    struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->stream = (uint8_t)stream;
+    command->format = (uint8_t)format;
+    return command;
+}
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load(
+    struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->stream = (uint8_t)stream;
+    command->format = (uint8_t)format;
+    return command;
+}
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_default(
+    struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->stream = (uint8_t)stream;
+    command->format = (uint8_t)format;
+    return command;
+}
+
+/**
+ * Data stream format response: response (0x0C,0x88).
+ *
+ * No device is certain to support it. Answers mip_3dm_data_stream_format. Known only from the MIP
+ * SDK of 2014 and MicroStrain Communication Library.
+ *
+ * - mip-sdk-2014: Data Stream Format (0x0C,0x60)
+ * - mscl: Data Stream Format (0x0C,0x60)
+ */
+struct mip_3dm_data_stream_format_response {
+    /** The stream. A value of enum mip_3dm_internal_sensor. */
+    uint8_t stream;
+    /** Its format. A value of enum mip_3dm_stream_format. */
+    uint8_t format;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE 0x0C88
+/** Its descriptor. */
+#define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
+#define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_NAME "3dm.data_stream_format_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_data_stream_format_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_data_stream_format_response_decode(
+    struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_data_stream_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_data_stream_format_response_encode(
+    const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
+    struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x88, 2);
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->stream = mip_get_8(field->data);
+    value->format = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
+    const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x88, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->stream);
+    mip_put_8(data + 1, value->format);
+    return MIP_OK;
+}
+
+/**
+ * Device power state: command (0x0C,0x61).
+ *
+ * Sets the power state of an internal sensor.
+ *
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_device_power_state_response. The device may take 5 s to answer. Known only from the MIP
+ * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
+ * the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014
+ * uses a longer one than usual; 5 s is assumed.
+ *
+ * - mip-sdk-2014: Device Power State (0x0C,0x61)
+ * - mscl: Device Power State (0x0C,0x61)
+ */
+struct mip_3dm_device_power_state {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** The sensor. A value of enum mip_3dm_internal_sensor. */
+    uint8_t device;
+    /** Its power state. A value of enum mip_3dm_sensor_power_state. Required for write. */
+    uint8_t state;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_POWER_STATE 0x0C61
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_POWER_STATE_DESCRIPTOR 0x61
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_POWER_STATE_NAME "3dm.device_power_state"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_power_state_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_power_state *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_power_state_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_power_state_encode(
+    const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
+ */
+static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_write(
+    struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_,
+    enum mip_3dm_sensor_power_state state) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->device = (uint8_t)device_;
+    command->state = (uint8_t)state;
+    return command;
+}
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_read(
+    struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->device = (uint8_t)device_;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_save(
+    struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->device = (uint8_t)device_;
+    return command;
+}
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_load(
+    struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->device = (uint8_t)device_;
+    return command;
+}
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_default(
+    struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->device = (uint8_t)device_;
+    return command;
+}
+
+/**
+ * Device power state response: response (0x0C,0x89).
+ *
+ * No device is certain to support it. Answers mip_3dm_device_power_state. Known only from the MIP
+ * SDK of 2014 and MicroStrain Communication Library.
+ *
+ * - mip-sdk-2014: Device Power State (0x0C,0x61)
+ * - mscl: Device Power State (0x0C,0x61)
+ */
+struct mip_3dm_device_power_state_response {
+    /** The sensor. A value of enum mip_3dm_internal_sensor. */
+    uint8_t device;
+    /** Its power state. A value of enum mip_3dm_sensor_power_state. */
+    uint8_t state;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_POWER_STATE_RESPONSE 0x0C89
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_NAME "3dm.device_power_state_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_power_state_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_power_state_response_decode(
+    struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_power_state_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_power_state_response_encode(
+    const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_device_power_state_response_decode_inline(
+    struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x89, 2);
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->device = mip_get_8(field->data);
+    value->state = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_device_power_state_response_encode_inline(
+    const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x89, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->device);
+    mip_put_8(data + 1, value->state);
+    return MIP_OK;
+}
+
+/**
+ * GPS advanced settings: command (0x0C,0x62).
+ *
+ * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+ *
+ * No device is certain to support it. For advanced use. Functions: save, load and default. Known
+ * only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
+ * have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+ *
+ * In direct mode, your program configures the u-blox receiver with its own protocol; see
+ * mip_system_comm_mode.
+ *
+ * - mip-sdk-2014: GPS Advanced Settings (0x0C,0x62)
+ * - mscl: GPS Advanced Settings (0x0C,0x62)
+ */
+struct mip_3dm_gps_advanced_settings {
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPS_ADVANCED_SETTINGS 0x0C62
+/** Its descriptor. */
+#define MIP_3DM_GPS_ADVANCED_SETTINGS_DESCRIPTOR 0x62
+/** Its name in the specification. */
+#define MIP_3DM_GPS_ADVANCED_SETTINGS_NAME "3dm.gps_advanced_settings"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gps_advanced_settings_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gps_advanced_settings_decode(
+    struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gps_advanced_settings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gps_advanced_settings_encode(
+    const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gps_advanced_settings_decode_inline(
+    struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x62, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->function = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
+    const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x62, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->function);
+    return MIP_OK;
+}
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_advanced_settings *
+mip_3dm_gps_advanced_settings_save(struct mip_3dm_gps_advanced_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/** Load the saved setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_advanced_settings *
+mip_3dm_gps_advanced_settings_load(struct mip_3dm_gps_advanced_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/** Load the factory default setting. Fills the structure and returns its address. */
+static inline struct mip_3dm_gps_advanced_settings *
+mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
 }
 
 /**

@@ -776,7 +776,8 @@ static inline mip_error mip_send_3dm_data_stream_control(
  *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
  *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
  *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write.
+ * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+ *   current data. What was measured while it was disabled is not sent.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
                                                                        uint8_t descriptor_set,
@@ -871,6 +872,42 @@ static inline struct mip_result mip_call_3dm_data_stream_control_with(
     struct mip_3dm_data_stream_control_response *response) {
     return mip_device_call(device, &mip_3dm_data_stream_control_command, command,
                            &mip_3dm_data_stream_control_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Raw RTCM 2.3 message.
+ */
+static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_raw_rtcm_2_3_message *command, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_raw_rtcm_2_3_message_command, command,
+                           NULL, NULL, now);
+}
+
+/**
+ * Raw RTCM 2.3 message. See mip_device_call.
+ *
+ * - data: Bytes of the RTCM stream.
+ */
+static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message(struct mip_device *device,
+                                                                  uint8_t data_count,
+                                                                  const uint8_t data[]) {
+    struct mip_3dm_raw_rtcm_2_3_message command;
+    return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command,
+                           mip_3dm_raw_rtcm_2_3_message_make(&command, data_count, data), NULL,
+                           NULL);
+}
+
+/**
+ * Raw RTCM 2.3 message: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message_with(
+    struct mip_device *device, const struct mip_3dm_raw_rtcm_2_3_message *command) {
+    return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command, command, NULL, NULL);
 }
 
 /** What the client knows of the command. */
@@ -1946,6 +1983,225 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_with(
     struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
     return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command, command,
                            &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS dynamics mode. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
+ */
+static inline mip_error mip_send_3dm_gps_dynamics_mode(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_gps_dynamics_mode *command,
+    struct mip_3dm_gps_dynamics_mode_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_gps_dynamics_mode_command, command,
+                           &mip_3dm_gps_dynamics_mode_response_codec, response, now);
+}
+
+/**
+ * GPS dynamics mode: write. Apply the new setting. See mip_device_call.
+ *
+ * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
+ */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_write(
+    struct mip_device *device, enum mip_3dm_receiver_dynamics mode) {
+    struct mip_3dm_gps_dynamics_mode command;
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
+                           mip_3dm_gps_dynamics_mode_write(&command, mode), NULL, NULL);
+}
+
+/** GPS dynamics mode: read. Return the current setting in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
+    struct mip_device *device, struct mip_3dm_gps_dynamics_mode_response *response) {
+    struct mip_3dm_gps_dynamics_mode command;
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
+                           mip_3dm_gps_dynamics_mode_read(&command),
+                           &mip_3dm_gps_dynamics_mode_response_codec, response);
+}
+
+/**
+ * GPS dynamics mode: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_save(struct mip_device *device) {
+    struct mip_3dm_gps_dynamics_mode command;
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
+                           mip_3dm_gps_dynamics_mode_save(&command), NULL, NULL);
+}
+
+/** GPS dynamics mode: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_load(struct mip_device *device) {
+    struct mip_3dm_gps_dynamics_mode command;
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
+                           mip_3dm_gps_dynamics_mode_load(&command), NULL, NULL);
+}
+
+/** GPS dynamics mode: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_default(struct mip_device *device) {
+    struct mip_3dm_gps_dynamics_mode command;
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
+                           mip_3dm_gps_dynamics_mode_default(&command), NULL, NULL);
+}
+
+/**
+ * GPS dynamics mode: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gps_dynamics_mode_with(
+    struct mip_device *device, const struct mip_3dm_gps_dynamics_mode *command,
+    struct mip_3dm_gps_dynamics_mode_response *response) {
+    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command, command,
+                           &mip_3dm_gps_dynamics_mode_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. IMU signal
+ * conditioning. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
+ */
+static inline mip_error mip_send_3dm_imu_signal_conditioning(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_imu_signal_conditioning *command,
+    struct mip_3dm_imu_signal_conditioning_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_imu_signal_conditioning_command,
+                           command, &mip_3dm_imu_signal_conditioning_response_codec, response, now);
+}
+
+/**
+ * IMU signal conditioning: write. Apply the new setting. See mip_device_call.
+ *
+ * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed. Unit:
+ *   1. Range: 1 to 1000. Required for write.
+ * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
+ * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
+ *   1. Range: 1 to 32. Default: 15. Required for write.
+ * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32.
+ *   Default: 17. Required for write.
+ * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - mag_bandwidth: Bandwidth of the magnetometer. A value of enum mip_3dm_mag_bandwidth. Required
+ *   for write.
+ */
+static inline struct mip_result mip_call_3dm_imu_signal_conditioning_write(
+    struct mip_device *device, uint16_t orientation_decimation,
+    mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
+    uint8_t mag_filter_width, uint16_t up_compensation, uint16_t north_compensation,
+    enum mip_3dm_mag_bandwidth mag_bandwidth) {
+    struct mip_3dm_imu_signal_conditioning command;
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
+                           mip_3dm_imu_signal_conditioning_write(
+                               &command, orientation_decimation, data_conditioning_flags,
+                               inertial_filter_width, mag_filter_width, up_compensation,
+                               north_compensation, mag_bandwidth),
+                           NULL, NULL);
+}
+
+/** IMU signal conditioning: read. Return the current setting in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_signal_conditioning_read(
+    struct mip_device *device, struct mip_3dm_imu_signal_conditioning_response *response) {
+    struct mip_3dm_imu_signal_conditioning command;
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
+                           mip_3dm_imu_signal_conditioning_read(&command),
+                           &mip_3dm_imu_signal_conditioning_response_codec, response);
+}
+
+/**
+ * IMU signal conditioning: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_imu_signal_conditioning_save(struct mip_device *device) {
+    struct mip_3dm_imu_signal_conditioning command;
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
+                           mip_3dm_imu_signal_conditioning_save(&command), NULL, NULL);
+}
+
+/** IMU signal conditioning: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_imu_signal_conditioning_load(struct mip_device *device) {
+    struct mip_3dm_imu_signal_conditioning command;
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
+                           mip_3dm_imu_signal_conditioning_load(&command), NULL, NULL);
+}
+
+/** IMU signal conditioning: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_imu_signal_conditioning_default(struct mip_device *device) {
+    struct mip_3dm_imu_signal_conditioning command;
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
+                           mip_3dm_imu_signal_conditioning_default(&command), NULL, NULL);
+}
+
+/**
+ * IMU signal conditioning: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_signal_conditioning_with(
+    struct mip_device *device, const struct mip_3dm_imu_signal_conditioning *command,
+    struct mip_3dm_imu_signal_conditioning_response *response) {
+    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command, command,
+                           &mip_3dm_imu_signal_conditioning_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. IMU timestamp. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
+ */
+static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
+                                                   struct mip_request *request,
+                                                   struct mip_builder *packet,
+                                                   const struct mip_3dm_imu_timestamp *command,
+                                                   struct mip_3dm_imu_timestamp_response *response,
+                                                   uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_imu_timestamp_command, command,
+                           &mip_3dm_imu_timestamp_response_codec, response, now);
+}
+
+/**
+ * IMU timestamp: write. Apply the new setting. See mip_device_call.
+ *
+ * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ * - time: Value of the counter, in the unit that `selector` states. Required for write.
+ */
+static inline struct mip_result mip_call_3dm_imu_timestamp_write(
+    struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
+    struct mip_3dm_imu_timestamp command;
+    return mip_device_call(device, &mip_3dm_imu_timestamp_command,
+                           mip_3dm_imu_timestamp_write(&command, selector, time), NULL, NULL);
+}
+
+/**
+ * IMU timestamp: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - selector: Which counter. A value of enum mip_3dm_imu_timestamp_selector.
+ */
+static inline struct mip_result mip_call_3dm_imu_timestamp_read(
+    struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector,
+    struct mip_3dm_imu_timestamp_response *response) {
+    struct mip_3dm_imu_timestamp command;
+    return mip_device_call(device, &mip_3dm_imu_timestamp_command,
+                           mip_3dm_imu_timestamp_read(&command, selector),
+                           &mip_3dm_imu_timestamp_response_codec, response);
+}
+
+/**
+ * IMU timestamp: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_timestamp_with(
+    struct mip_device *device, const struct mip_3dm_imu_timestamp *command,
+    struct mip_3dm_imu_timestamp_response *response) {
+    return mip_device_call(device, &mip_3dm_imu_timestamp_command, command,
+                           &mip_3dm_imu_timestamp_response_codec, response);
 }
 
 /** What the client knows of the command. */
@@ -3190,6 +3446,242 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_with(
     struct mip_3dm_low_pass_filter_response *response) {
     return mip_device_call(device, &mip_3dm_low_pass_filter_command, command,
                            &mip_3dm_low_pass_filter_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Data stream format.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
+ */
+static inline mip_error mip_send_3dm_data_stream_format(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_data_stream_format *command,
+    struct mip_3dm_data_stream_format_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_data_stream_format_command, command,
+                           &mip_3dm_data_stream_format_response_codec, response, now);
+}
+
+/**
+ * Data stream format: write. Apply the new setting. See mip_device_call.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_format_write(
+    struct mip_device *device, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    struct mip_3dm_data_stream_format command;
+    return mip_device_call(device, &mip_3dm_data_stream_format_command,
+                           mip_3dm_data_stream_format_write(&command, stream, format), NULL, NULL);
+}
+
+/**
+ * Data stream format: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_format_read(
+    struct mip_device *device, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format, struct mip_3dm_data_stream_format_response *response) {
+    struct mip_3dm_data_stream_format command;
+    return mip_device_call(device, &mip_3dm_data_stream_format_command,
+                           mip_3dm_data_stream_format_read(&command, stream, format),
+                           &mip_3dm_data_stream_format_response_codec, response);
+}
+
+/**
+ * Data stream format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_result
+mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_internal_sensor stream,
+                                     enum mip_3dm_stream_format format) {
+    struct mip_3dm_data_stream_format command;
+    return mip_device_call(device, &mip_3dm_data_stream_format_command,
+                           mip_3dm_data_stream_format_save(&command, stream, format), NULL, NULL);
+}
+
+/**
+ * Data stream format: load. Load the saved setting. See mip_device_call.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_result
+mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_internal_sensor stream,
+                                     enum mip_3dm_stream_format format) {
+    struct mip_3dm_data_stream_format command;
+    return mip_device_call(device, &mip_3dm_data_stream_format_command,
+                           mip_3dm_data_stream_format_load(&command, stream, format), NULL, NULL);
+}
+
+/**
+ * Data stream format: default. Load the factory default setting. See mip_device_call.
+ *
+ * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - format: Its format. A value of enum mip_3dm_stream_format.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_format_default(
+    struct mip_device *device, enum mip_3dm_internal_sensor stream,
+    enum mip_3dm_stream_format format) {
+    struct mip_3dm_data_stream_format command;
+    return mip_device_call(device, &mip_3dm_data_stream_format_command,
+                           mip_3dm_data_stream_format_default(&command, stream, format), NULL,
+                           NULL);
+}
+
+/**
+ * Data stream format: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_format_with(
+    struct mip_device *device, const struct mip_3dm_data_stream_format *command,
+    struct mip_3dm_data_stream_format_response *response) {
+    return mip_device_call(device, &mip_3dm_data_stream_format_command, command,
+                           &mip_3dm_data_stream_format_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device power state.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
+ */
+static inline mip_error mip_send_3dm_device_power_state(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_power_state *command,
+    struct mip_3dm_device_power_state_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_power_state_command, command,
+                           &mip_3dm_device_power_state_response_codec, response, now);
+}
+
+/**
+ * Device power state: write. Apply the new setting. See mip_device_call.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - state: Its power state. A value of enum mip_3dm_sensor_power_state. Required for write.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_write(
+    struct mip_device *device, enum mip_3dm_internal_sensor device_,
+    enum mip_3dm_sensor_power_state state) {
+    struct mip_3dm_device_power_state command;
+    return mip_device_call(device, &mip_3dm_device_power_state_command,
+                           mip_3dm_device_power_state_write(&command, device_, state), NULL, NULL);
+}
+
+/**
+ * Device power state: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_read(
+    struct mip_device *device, enum mip_3dm_internal_sensor device_,
+    struct mip_3dm_device_power_state_response *response) {
+    struct mip_3dm_device_power_state command;
+    return mip_device_call(device, &mip_3dm_device_power_state_command,
+                           mip_3dm_device_power_state_read(&command, device_),
+                           &mip_3dm_device_power_state_response_codec, response);
+}
+
+/**
+ * Device power state: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_save(
+    struct mip_device *device, enum mip_3dm_internal_sensor device_) {
+    struct mip_3dm_device_power_state command;
+    return mip_device_call(device, &mip_3dm_device_power_state_command,
+                           mip_3dm_device_power_state_save(&command, device_), NULL, NULL);
+}
+
+/**
+ * Device power state: load. Load the saved setting. See mip_device_call.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_load(
+    struct mip_device *device, enum mip_3dm_internal_sensor device_) {
+    struct mip_3dm_device_power_state command;
+    return mip_device_call(device, &mip_3dm_device_power_state_command,
+                           mip_3dm_device_power_state_load(&command, device_), NULL, NULL);
+}
+
+/**
+ * Device power state: default. Load the factory default setting. See mip_device_call.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_default(
+    struct mip_device *device, enum mip_3dm_internal_sensor device_) {
+    struct mip_3dm_device_power_state command;
+    return mip_device_call(device, &mip_3dm_device_power_state_command,
+                           mip_3dm_device_power_state_default(&command, device_), NULL, NULL);
+}
+
+/**
+ * Device power state: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_device_power_state_with(
+    struct mip_device *device, const struct mip_3dm_device_power_state *command,
+    struct mip_3dm_device_power_state_response *response) {
+    return mip_device_call(device, &mip_3dm_device_power_state_command, command,
+                           &mip_3dm_device_power_state_response_codec, response);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS advanced
+ * settings.
+ */
+static inline mip_error mip_send_3dm_gps_advanced_settings(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_gps_advanced_settings *command, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_gps_advanced_settings_command, command,
+                           NULL, NULL, now);
+}
+
+/**
+ * GPS advanced settings: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gps_advanced_settings_save(struct mip_device *device) {
+    struct mip_3dm_gps_advanced_settings command;
+    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
+                           mip_3dm_gps_advanced_settings_save(&command), NULL, NULL);
+}
+
+/** GPS advanced settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gps_advanced_settings_load(struct mip_device *device) {
+    struct mip_3dm_gps_advanced_settings command;
+    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
+                           mip_3dm_gps_advanced_settings_load(&command), NULL, NULL);
+}
+
+/** GPS advanced settings: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_gps_advanced_settings_default(struct mip_device *device) {
+    struct mip_3dm_gps_advanced_settings command;
+    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
+                           mip_3dm_gps_advanced_settings_default(&command), NULL, NULL);
+}
+
+/**
+ * GPS advanced settings: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gps_advanced_settings_with(
+    struct mip_device *device, const struct mip_3dm_gps_advanced_settings *command) {
+    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command, command, NULL, NULL);
 }
 
 /** What the client knows of the command. */

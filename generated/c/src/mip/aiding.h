@@ -597,6 +597,9 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
  *
  * Use only one form of position: ECEF or LLH.
  *
+ * To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also
+ * accepts an uncertainty of 0 for both instead.
+ *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
@@ -609,13 +612,14 @@ struct mip_aiding_llh_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags
-     * is set.
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags
-     * is set.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
+     * source states; 0 to 360 is the other usual one.
      */
     double longitude;
     /**
@@ -706,10 +710,11 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
- *   valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
- *   valid_flags is set.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
+ *   source states; 0 to 360 is the other usual one.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.

@@ -872,6 +872,9 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
+ * On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix
+ * time; mip_shared_external_timestamp then has it, too.
+ *
  * The PPS supplies the fraction of the second; send the whole second that began at its last edge.
  *
  * Send it within 250 ms after the rising edge of the PPS.
@@ -883,6 +886,7 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ * - 3dm-cv7-gnss-ins: Timestamps
  */
 struct mip_base_gps_time_update {
     /**
@@ -981,6 +985,7 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ * - 3dm-cv7-gnss-ins: Timestamps
  */
 struct mip_base_gps_time_update_week_number_response {
     /** GPS week number. Unit: week. */
@@ -1048,6 +1053,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_encode_inl
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ * - 3dm-cv7-gnss-ins: Timestamps
  */
 struct mip_base_gps_time_update_tow_response {
     /** GPS time of week in whole seconds. Unit: s. */

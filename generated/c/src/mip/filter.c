@@ -46,6 +46,23 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
 const struct mip_command mip_filter_set_initial_heading_command = {
     &mip_filter_set_initial_heading_codec, NULL, NULL, 0};
 
+static const uint8_t program_set_initial_attitude_from_imu[] = {
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_attitude_from_imu, declination)),
+    MIP_END,
+};
+
+const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
+    0x0D,
+    0x04,
+    MIP_COMMAND,
+    4,
+    sizeof(struct mip_filter_set_initial_attitude_from_imu),
+    0,
+    program_set_initial_attitude_from_imu};
+
+const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
+    &mip_filter_set_initial_attitude_from_imu_codec, NULL, NULL, 0};
+
 static const uint8_t program_run[] = {
     MIP_END,
 };

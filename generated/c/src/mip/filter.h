@@ -538,6 +538,85 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
 }
 
 /**
+ * Set initial attitude from IMU: command (0x0D,0x04).
+ *
+ * Initializes the attitude of the filter with that of the complementary filter.
+ *
+ * No device is certain to support it. Also called `set_initial_heading_from_mag`. Known only from
+ * the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The
+ * name. The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+ * layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+ *
+ * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
+ * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
+ * - mscl: Set Initial Attitude From AHRS (0x0D,0x04)
+ */
+struct mip_filter_set_initial_attitude_from_imu {
+    /** Local declination of the magnetic field. Unit: rad. */
+    float declination;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU 0x0D04
+/** Its descriptor. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_DESCRIPTOR 0x04
+/** Its name in the specification. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_NAME "filter.set_initial_attitude_from_imu"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
+    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_set_initial_attitude_from_imu_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
+    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
+    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x04, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_get_float(&value->declination, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
+    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x04, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->declination);
+    return MIP_OK;
+}
+/**
+ * Set initial attitude from IMU. Fills the structure and returns its address.
+ *
+ * - declination: Local declination of the magnetic field. Unit: rad.
+ */
+static inline struct mip_filter_set_initial_attitude_from_imu *
+mip_filter_set_initial_attitude_from_imu_make(
+    struct mip_filter_set_initial_attitude_from_imu *command, float declination) {
+    memset(command, 0, sizeof(*command));
+    command->declination = declination;
+    return command;
+}
+
+/**
  * Run navigation filter: command (0x0D,0x05).
  *
  * Starts a filter that is configured to wait for this command.
@@ -736,13 +815,17 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * Full name: filter.sensor_to_vehicle_rotation_euler.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain:
+ * The formula. The text of the manual lacks it; it is the inverse of that of
+ * mip_3dm_sensor_to_vehicle_euler, which the 3DM-CV7 manual states.
  *
  * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
  * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
+ *
+ * `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -1553,9 +1636,12 @@ struct mip_filter_external_gnss_update {
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
-    /** Latitude. Unit: deg. Frame: llh. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+     * states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
@@ -1645,8 +1731,9 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh.
- * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
+ *   source states; 0 to 360 is the other usual one.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -3432,9 +3519,12 @@ struct mip_filter_reference_position {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Required for write. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. Required for write. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain: The
+     * range, which no source states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /**
      * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
@@ -3468,8 +3558,9 @@ static inline mip_error mip_filter_reference_position_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
+ *   The range, which no source states; 0 to 360 is the other usual one.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.
@@ -3524,9 +3615,12 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+     * states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /**
      * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
@@ -4602,6 +4696,7 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
     /**
@@ -4619,8 +4714,9 @@ struct mip_filter_magnetic_declination_source {
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The manual says that it is required
-     * only if it is, but gives one length.
+     * Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7
+     * included, require it only if it is, but give one length, with the value. Sending it always
+     * fits both.
      */
     float declination;
 };
@@ -4653,8 +4749,9 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
  *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
- *   required only if it is, but gives one length.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
+ *   3DM-GQ7 included, require it only if it is, but give one length, with the value. Sending it
+ *   always fits both.
  */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4706,14 +4803,15 @@ mip_filter_magnetic_declination_source_default(
  * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The manual says that it is required only if it is, but gives
-     * one length.
+     * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if
+     * it is, but give one length, with the value. Sending it always fits both.
      */
     float declination;
 };
@@ -5788,7 +5886,8 @@ struct mip_filter_magnetic_inclination_source {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK always sends it.
+     * Whether it may be left out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
@@ -5820,7 +5919,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_encode(
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
  * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
@@ -5878,7 +5978,8 @@ struct mip_filter_magnetic_inclination_source_response {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK always sends it.
+     * out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
@@ -5965,7 +6066,8 @@ struct mip_filter_magnetic_magnitude_source {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK always sends it.
+     * Whether it may be left out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5997,7 +6099,8 @@ static inline mip_error mip_filter_magnetic_magnitude_source_encode(
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
  * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
@@ -6051,7 +6154,8 @@ struct mip_filter_magnetic_magnitude_source_response {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK always sends it.
+     * out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };

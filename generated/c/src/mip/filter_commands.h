@@ -110,6 +110,44 @@ static inline struct mip_result mip_call_filter_set_initial_heading_with(
 }
 
 /** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial attitude
+ * from IMU.
+ */
+static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_filter_set_initial_attitude_from_imu *command, uint32_t now) {
+    return mip_client_send(client, request, packet,
+                           &mip_filter_set_initial_attitude_from_imu_command, command, NULL, NULL,
+                           now);
+}
+
+/**
+ * Set initial attitude from IMU. See mip_device_call.
+ *
+ * - declination: Local declination of the magnetic field. Unit: rad.
+ */
+static inline struct mip_result
+mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float declination) {
+    struct mip_filter_set_initial_attitude_from_imu command;
+    return mip_device_call(device, &mip_filter_set_initial_attitude_from_imu_command,
+                           mip_filter_set_initial_attitude_from_imu_make(&command, declination),
+                           NULL, NULL);
+}
+
+/**
+ * Set initial attitude from IMU: calls the command with these values, including optional
+ * parameters. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_set_initial_attitude_from_imu_with(
+    struct mip_device *device, const struct mip_filter_set_initial_attitude_from_imu *command) {
+    return mip_device_call(device, &mip_filter_set_initial_attitude_from_imu_command, command, NULL,
+                           NULL);
+}
+
+/** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_run_command;
 
 /**
@@ -609,8 +647,9 @@ static inline mip_error mip_send_filter_external_gnss_update(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh.
- * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
+ *   source states; 0 to 360 is the other usual one.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -1466,8 +1505,9 @@ static inline mip_error mip_send_filter_reference_position(
  * Set reference position: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
+ *   The range, which no source states; 0 to 360 is the other usual one.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.
@@ -2045,8 +2085,9 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
- *   required only if it is, but gives one length.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
+ *   3DM-GQ7 included, require it only if it is, but give one length, with the value. Sending it
+ *   always fits both.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
@@ -2566,7 +2607,8 @@ static inline mip_error mip_send_filter_magnetic_inclination_source(
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
  * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float inclination) {
@@ -2648,7 +2690,8 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
  * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {

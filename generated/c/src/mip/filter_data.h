@@ -369,13 +369,14 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  */
 struct mip_filter_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
-     * is set.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The range, which no
+     * source states; 0 to 360 is the other usual one.
      */
     double longitude;
     /**

@@ -83,6 +83,56 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     0,
     program_signal_config_response};
 
+static const uint8_t program_receiver_reset[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_reset, receiver_id)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_receiver_reset_codec = {
+    0x0E, 0x03, MIP_COMMAND, 2, sizeof(struct mip_gnss_receiver_reset), 0, program_receiver_reset};
+
+const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec, NULL,
+                                                            NULL, 0};
+
+static const uint8_t program_rtk_config[] = {
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_rtk_config, ambiguity_fix_mode)),
+    MIP_GROUP(1),
+    MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_config, reserved)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_config_codec = {
+    0x0E, 0x04, MIP_COMMAND, 0, sizeof(struct mip_gnss_rtk_config), 0, program_rtk_config};
+
+static bool asked_rtk_config_1(const void *value) {
+    const struct mip_gnss_rtk_config *v = (const struct mip_gnss_rtk_config *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_rtk_config[] = {
+    {&mip_gnss_rtk_config_response_codec, asked_rtk_config_1},
+    {NULL, NULL},
+};
+
+const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec, NULL,
+                                                        responses_rtk_config, 0};
+
+static const uint8_t program_rtk_config_response[] = {
+    MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_rtk_config_response_codec = {
+    0x0E,
+    0x84,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_gnss_rtk_config_response),
+    0,
+    program_rtk_config_response};
+
 static const uint8_t program_rtk_dongle_config[] = {
     MIP_REQUIRED(1, 2),
     MIP_GROUP(1),

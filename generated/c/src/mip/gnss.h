@@ -23,9 +23,13 @@ extern "C" {
  * One GNSS receiver.
  *
  * - 3dm-cv7-gnss-ins: Info
+ * - mip-sdk-4: Receiver Info (0x0E,0x01)
  */
 struct mip_gnss_receiver_info_entry {
-    /** Receiver, counted from 1. Range: at least 1. */
+    /**
+     * Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at
+     * least 1.
+     */
     uint8_t receiver_id;
     /** Descriptor set of the data of this receiver. Range: 0x80 to 0xFE. */
     uint8_t mip_data_descriptor_set;
@@ -63,6 +67,70 @@ typedef uint8_t mip_gnss_beidou_signals;
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
 /** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
+/**
+ * A GNSS receiver.
+ *
+ * - mip-sdk-4: Receiver Reset (0x0E,0x03)
+ */
+enum mip_gnss_receiver_id MIP_ENUM_8 {
+    /** Every receiver; only for commands that accept it. */
+    MIP_GNSS_RECEIVER_ID_ALL = 0,
+    /** The first receiver inside the device. */
+    MIP_GNSS_RECEIVER_ID_INTERNAL_RECEIVER_1 = 1,
+    /** The second receiver inside the device. */
+    MIP_GNSS_RECEIVER_ID_INTERNAL_RECEIVER_2 = 2,
+    /** The first external receiver. */
+    MIP_GNSS_RECEIVER_ID_USER_RECEIVER_1 = 4,
+    /** The second external receiver. */
+    MIP_GNSS_RECEIVER_ID_USER_RECEIVER_2 = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
+/**
+ * How much a receiver restarts.
+ *
+ * - mip-sdk-4: Receiver Reset (0x0E,0x03)
+ */
+enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
+    /** Resets the receiver by its reset line. */
+    MIP_GNSS_RECEIVER_RESET_TYPE_HARDWARE = 1,
+    /** Restarts all software of the receiver. */
+    MIP_GNSS_RECEIVER_RESET_TYPE_COLD = 2,
+    /**
+     * Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK calls
+     * 3 hot and 4 warm, with the same descriptions of the two numbers; GNSS receivers usually keep
+     * their satellite data in a hot start and lose it in a warm one.
+     */
+    MIP_GNSS_RECEIVER_RESET_TYPE_WARM = 3,
+    /**
+     * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name,
+     * which an earlier branch of the SDK exchanges with that of 3.
+     */
+    MIP_GNSS_RECEIVER_RESET_TYPE_HOT = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
+/**
+ * How readily RTK fixes the carrier phase ambiguities to whole numbers. Uncertain: The descriptions
+ * of `conservative` and `moderate`, which follow from the names.
+ *
+ * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+ */
+enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
+    /** Never fixes them. The solution remains a float solution. */
+    MIP_GNSS_AMBIGUITY_FIX_MODE_OFF = 1,
+    /** Fixes them late and with few wrong fixes. */
+    MIP_GNSS_AMBIGUITY_FIX_MODE_CONSERVATIVE = 2,
+    /** Between conservative and aggressive. */
+    MIP_GNSS_AMBIGUITY_FIX_MODE_MODERATE = 3,
+    /** Fixes them as soon as possible. */
+    MIP_GNSS_AMBIGUITY_FIX_MODE_AGGRESSIVE = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
 /** How SPARTN corrections are received. */
 enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
@@ -329,6 +397,250 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
     mip_put_8(data + 2, value->galileo_enable);
     mip_put_8(data + 3, value->beidou_enable);
     memcpy(data + 4, value->reserved, 4);
+    return MIP_OK;
+}
+
+/**
+ * Receiver reset: command (0x0E,0x03).
+ *
+ * Resets a GNSS receiver of the device.
+ *
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
+ * devices have it. The SDK does not name any.
+ *
+ * Only internal receivers can be reset.
+ *
+ * Some devices lack some of the reset types.
+ *
+ * - mip-sdk-4: Receiver Reset (0x0E,0x03)
+ */
+struct mip_gnss_receiver_reset {
+    /** Receiver to reset. A value of enum mip_gnss_receiver_id. */
+    uint8_t receiver_id;
+    /** How much restarts. A value of enum mip_gnss_receiver_reset_type. */
+    uint8_t reset_type;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RECEIVER_RESET 0x0E03
+/** Its descriptor. */
+#define MIP_GNSS_RECEIVER_RESET_DESCRIPTOR 0x03
+/** Its name in the specification. */
+#define MIP_GNSS_RECEIVER_RESET_NAME "gnss.receiver_reset"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_receiver_reset_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_reset *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_gnss_receiver_reset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_receiver_reset_encode(const struct mip_gnss_receiver_reset *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_receiver_reset *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0x03, 2);
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    value->reset_type = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_receiver_reset_encode_inline(
+    const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x03, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    mip_put_8(data + 1, value->reset_type);
+    return MIP_OK;
+}
+/**
+ * Receiver reset. Fills the structure and returns its address.
+ *
+ * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
+ * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
+ */
+static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
+    struct mip_gnss_receiver_reset *command, enum mip_gnss_receiver_id receiver_id,
+    enum mip_gnss_receiver_reset_type reset_type) {
+    memset(command, 0, sizeof(*command));
+    command->receiver_id = (uint8_t)receiver_id;
+    command->reset_type = (uint8_t)reset_type;
+    return command;
+}
+
+/**
+ * RTK configuration: command (0x0E,0x04).
+ *
+ * Sets how readily the device fixes the ambiguities of an RTK solution.
+ *
+ * Also called `rtk_configuration`. Functions: write, read, save, load and default. Answered by
+ * mip_gnss_rtk_config_response. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as
+ * experimental on the 3DM-GQ7, which accepts `conservative` only.
+ *
+ * The available modes differ by device.
+ *
+ * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+ */
+struct mip_gnss_rtk_config {
+    /**
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
+     */
+    uint8_t present;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * How readily ambiguities are fixed. A value of enum mip_gnss_ambiguity_fix_mode. Required for
+     * write.
+     */
+    uint8_t ambiguity_fix_mode;
+    /** Reserved: send 0. Required for write. */
+    uint8_t reserved[4];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RTK_CONFIG 0x0E04
+/** Its descriptor. */
+#define MIP_GNSS_RTK_CONFIG_DESCRIPTOR 0x04
+/** Its name in the specification. */
+#define MIP_GNSS_RTK_CONFIG_NAME "gnss.rtk_config"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_rtk_config_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_gnss_rtk_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
+}
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
+ *   mip_gnss_ambiguity_fix_mode. Required for write.
+ */
+static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
+    struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->ambiguity_fix_mode = (uint8_t)ambiguity_fix_mode;
+    return command;
+}
+/** Return the current setting in a response. Fills the structure and returns its address. */
+static inline struct mip_gnss_rtk_config *
+mip_gnss_rtk_config_read(struct mip_gnss_rtk_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+static inline struct mip_gnss_rtk_config *
+mip_gnss_rtk_config_save(struct mip_gnss_rtk_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/** Load the saved setting. Fills the structure and returns its address. */
+static inline struct mip_gnss_rtk_config *
+mip_gnss_rtk_config_load(struct mip_gnss_rtk_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/** Load the factory default setting. Fills the structure and returns its address. */
+static inline struct mip_gnss_rtk_config *
+mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+
+/**
+ * RTK configuration response: response (0x0E,0x84).
+ *
+ * Also called `rtk_configuration_response`. Answers mip_gnss_rtk_config. Known only from the
+ * MicroStrain MIP SDK.
+ *
+ * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+ */
+struct mip_gnss_rtk_config_response {
+    /** How readily ambiguities are fixed. A value of enum mip_gnss_ambiguity_fix_mode. */
+    uint8_t ambiguity_fix_mode;
+    /** Reserved. */
+    uint8_t reserved[4];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RTK_CONFIG_RESPONSE 0x0E84
+/** Its descriptor. */
+#define MIP_GNSS_RTK_CONFIG_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
+#define MIP_GNSS_RTK_CONFIG_RESPONSE_NAME "gnss.rtk_config_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_rtk_config_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_rtk_config_response_decode(
+    struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_rtk_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_rtk_config_response_encode(
+    const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_rtk_config_response_decode_inline(
+    struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0x84, 5);
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->ambiguity_fix_mode = mip_get_8(field->data);
+    memcpy(value->reserved, field->data + 1, 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_rtk_config_response_encode_inline(
+    const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x84, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->ambiguity_fix_mode);
+    memcpy(data + 1, value->reserved, 4);
     return MIP_OK;
 }
 

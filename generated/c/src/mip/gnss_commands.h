@@ -115,6 +115,115 @@ static inline struct mip_result mip_call_gnss_signal_config_with(
 }
 
 /** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Receiver reset. */
+static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
+                                                     struct mip_request *request,
+                                                     struct mip_builder *packet,
+                                                     const struct mip_gnss_receiver_reset *command,
+                                                     uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_gnss_receiver_reset_command, command, NULL,
+                           NULL, now);
+}
+
+/**
+ * Receiver reset. See mip_device_call.
+ *
+ * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
+ * - reset_type: How much restarts. A value of enum mip_gnss_receiver_reset_type.
+ */
+static inline struct mip_result
+mip_call_gnss_receiver_reset(struct mip_device *device, enum mip_gnss_receiver_id receiver_id,
+                             enum mip_gnss_receiver_reset_type reset_type) {
+    struct mip_gnss_receiver_reset command;
+    return mip_device_call(device, &mip_gnss_receiver_reset_command,
+                           mip_gnss_receiver_reset_make(&command, receiver_id, reset_type), NULL,
+                           NULL);
+}
+
+/**
+ * Receiver reset: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_receiver_reset_with(
+    struct mip_device *device, const struct mip_gnss_receiver_reset *command) {
+    return mip_device_call(device, &mip_gnss_receiver_reset_command, command, NULL, NULL);
+}
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. RTK configuration. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
+ */
+static inline mip_error mip_send_gnss_rtk_config(struct mip_client *client,
+                                                 struct mip_request *request,
+                                                 struct mip_builder *packet,
+                                                 const struct mip_gnss_rtk_config *command,
+                                                 struct mip_gnss_rtk_config_response *response,
+                                                 uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_gnss_rtk_config_command, command,
+                           &mip_gnss_rtk_config_response_codec, response, now);
+}
+
+/**
+ * RTK configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - ambiguity_fix_mode: How readily ambiguities are fixed. A value of enum
+ *   mip_gnss_ambiguity_fix_mode. Required for write.
+ */
+static inline struct mip_result mip_call_gnss_rtk_config_write(
+    struct mip_device *device, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
+    struct mip_gnss_rtk_config command;
+    return mip_device_call(device, &mip_gnss_rtk_config_command,
+                           mip_gnss_rtk_config_write(&command, ambiguity_fix_mode), NULL, NULL);
+}
+
+/** RTK configuration: read. Return the current setting in a response. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_config_read(
+    struct mip_device *device, struct mip_gnss_rtk_config_response *response) {
+    struct mip_gnss_rtk_config command;
+    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_read(&command),
+                           &mip_gnss_rtk_config_response_codec, response);
+}
+
+/**
+ * RTK configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_rtk_config_save(struct mip_device *device) {
+    struct mip_gnss_rtk_config command;
+    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_save(&command),
+                           NULL, NULL);
+}
+
+/** RTK configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_config_load(struct mip_device *device) {
+    struct mip_gnss_rtk_config command;
+    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_load(&command),
+                           NULL, NULL);
+}
+
+/** RTK configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_config_default(struct mip_device *device) {
+    struct mip_gnss_rtk_config command;
+    return mip_device_call(device, &mip_gnss_rtk_config_command,
+                           mip_gnss_rtk_config_default(&command), NULL, NULL);
+}
+
+/**
+ * RTK configuration: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_gnss_rtk_config_with(struct mip_device *device, const struct mip_gnss_rtk_config *command,
+                              struct mip_gnss_rtk_config_response *response) {
+    return mip_device_call(device, &mip_gnss_rtk_config_command, command,
+                           &mip_gnss_rtk_config_response_codec, response);
+}
+
+/** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
 
 /**

@@ -148,13 +148,32 @@ const struct mip_codec mip_gnss_data_hardware_status_codec = {
 
 static const uint8_t program_dgps_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
+    MIP_SIZES(0, 14),
     MIP_32_BITS(1, MIP_AT(struct mip_gnss_data_dgps_info, age)),
     MIP_16_BITS(4, MIP_AT(struct mip_gnss_data_dgps_info, base_station_id)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_dgps_info_codec = {
-    0x81, 0x0E, MIP_DATA, 12, sizeof(struct mip_gnss_data_dgps_info), 5, program_dgps_info + 5};
+    0x81, 0x0E, MIP_DATA, 0, sizeof(struct mip_gnss_data_dgps_info), 5, program_dgps_info + 5};
+
+static const uint8_t program_dgps_info_satellite[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
+    MIP_SIZES(15, 253),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_data_dgps_info_satellite, satellite_id)),
+    MIP_32_BITS(3, MIP_AT(struct mip_gnss_data_dgps_info_satellite, age)),
+    MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_dgps_info_satellite, valid_flags)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_data_dgps_info_satellite_codec = {
+    0x81,
+    0x0E,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_data_dgps_info_satellite),
+    5,
+    program_dgps_info_satellite + 5};
 
 static const uint8_t program_dgps_channel[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -239,7 +258,9 @@ const struct mip_codec mip_gnss_data_sbas_correction_codec = {
 
 static const uint8_t program_rf_error_detection[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
-    MIP_8_BITS(7, MIP_AT(struct mip_gnss_data_rf_error_detection, rf_band)),
+    MIP_8_BITS(3, MIP_AT(struct mip_gnss_data_rf_error_detection, rf_band)),
+    MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_rf_error_detection, frequency)),
+    MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_rf_error_detection, reserved)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_rf_error_detection, valid_flags)),
     MIP_END,
 };
@@ -252,6 +273,17 @@ const struct mip_codec mip_gnss_data_rf_error_detection_codec = {
     sizeof(struct mip_gnss_data_rf_error_detection),
     5,
     program_rf_error_detection + 5};
+
+static const uint8_t program_heading[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
+    MIP_32_BITS(2, MIP_AT(struct mip_gnss_data_heading, heading)),
+    MIP_8_BITS(1, MIP_AT(struct mip_gnss_data_heading, fix_type)),
+    MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_heading, valid_flags)),
+    MIP_END,
+};
+
+const struct mip_codec mip_gnss_data_heading_codec = {
+    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, program_heading + 5};
 
 static const uint8_t program_satellite_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),

@@ -16,6 +16,8 @@
 #include "mip/constants.h"
 #include "mip/core.h"
 #include "mip/device.h"
+#include "mip/displacement.h"
+#include "mip/displacement_data.h"
 #include "mip/filter.h"
 #include "mip/filter_commands.h"
 #include "mip/filter_data.h"

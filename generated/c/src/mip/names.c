@@ -6,11 +6,13 @@
 #include "mip/filter.h"
 #include "mip/gnss.h"
 #include "mip/rtk.h"
+#include "mip/displacement.h"
 #include "mip/aiding.h"
 #include "mip/system.h"
 #include "mip/sensor.h"
 #include "mip/gnss_data.h"
 #include "mip/filter_data.h"
+#include "mip/displacement_data.h"
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
@@ -663,6 +665,74 @@ const char *mip_3dm_event_support_query_name(uint8_t value) {
     return mip_value_name(&mip_names_3dm_event_support_query, value);
 }
 
+static const char name_3dm_receiver_dynamics[] = "3dm.receiver_dynamics";
+static const char labels_3dm_receiver_dynamics[] = "portable\0"
+                                                   "fixed\0"
+                                                   "stationary\0"
+                                                   "pedestrian\0"
+                                                   "automotive\0"
+                                                   "sea\0"
+                                                   "airborne_1g\0"
+                                                   "airborne_2g\0"
+                                                   "airborne_4g";
+static const uint8_t numbers_3dm_receiver_dynamics[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+const struct mip_names mip_names_3dm_receiver_dynamics = {name_3dm_receiver_dynamics,
+                                                          labels_3dm_receiver_dynamics,
+                                                          numbers_3dm_receiver_dynamics,
+                                                          NULL,
+                                                          9,
+                                                          1};
+const char *mip_3dm_receiver_dynamics_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_receiver_dynamics, value);
+}
+
+static const char name_3dm_data_conditioning_flags[] = "3dm.data_conditioning_flags";
+static const char labels_3dm_data_conditioning_flags[] = "orientation_calculation\0"
+                                                         "coning_sculling\0"
+                                                         "little_endian_floats\0"
+                                                         "nan_suppressed\0"
+                                                         "finite_size_correction\0"
+                                                         "disable_mag\0"
+                                                         "mag_low_power\0"
+                                                         "disable_north_compensation\0"
+                                                         "disable_up_compensation\0"
+                                                         "quaternion_calculation";
+static const struct mip_named_bits bits_3dm_data_conditioning_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {4, 1, NULL},  {5, 1, NULL},  {6, 1, NULL},
+    {8, 1, NULL}, {9, 1, NULL}, {10, 1, NULL}, {11, 1, NULL}, {12, 1, NULL},
+};
+const struct mip_names mip_names_3dm_data_conditioning_flags = {name_3dm_data_conditioning_flags,
+                                                                labels_3dm_data_conditioning_flags,
+                                                                NULL,
+                                                                bits_3dm_data_conditioning_flags,
+                                                                10,
+                                                                2};
+
+static const char name_3dm_mag_bandwidth[] = "3dm.mag_bandwidth";
+static const char labels_3dm_mag_bandwidth[] = "high\0"
+                                               "low";
+static const uint8_t numbers_3dm_mag_bandwidth[] = {0, 1};
+const struct mip_names mip_names_3dm_mag_bandwidth = {
+    name_3dm_mag_bandwidth, labels_3dm_mag_bandwidth, numbers_3dm_mag_bandwidth, NULL, 2, 1};
+const char *mip_3dm_mag_bandwidth_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_mag_bandwidth, value);
+}
+
+static const char name_3dm_imu_timestamp_selector[] = "3dm.imu_timestamp_selector";
+static const char labels_3dm_imu_timestamp_selector[] = "beacon_seconds\0"
+                                                        "beacon_nanoseconds\0"
+                                                        "internal_ticks";
+static const uint8_t numbers_3dm_imu_timestamp_selector[] = {1, 2, 3};
+const struct mip_names mip_names_3dm_imu_timestamp_selector = {name_3dm_imu_timestamp_selector,
+                                                               labels_3dm_imu_timestamp_selector,
+                                                               numbers_3dm_imu_timestamp_selector,
+                                                               NULL,
+                                                               3,
+                                                               1};
+const char *mip_3dm_imu_timestamp_selector_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_imu_timestamp_selector, value);
+}
+
 static const char name_3dm_odometer_mode[] = "3dm.odometer_mode";
 static const char labels_3dm_odometer_mode[] = "disabled\0"
                                                "quadrature";
@@ -688,6 +758,42 @@ const struct mip_names mip_names_3dm_sensor_range_type = {name_3dm_sensor_range_
                                                           1};
 const char *mip_3dm_sensor_range_type_name(uint8_t value) {
     return mip_value_name(&mip_names_3dm_sensor_range_type, value);
+}
+
+static const char name_3dm_internal_sensor[] = "3dm.internal_sensor";
+static const char labels_3dm_internal_sensor[] = "imu\0"
+                                                 "gnss";
+static const uint8_t numbers_3dm_internal_sensor[] = {1, 2};
+const struct mip_names mip_names_3dm_internal_sensor = {
+    name_3dm_internal_sensor, labels_3dm_internal_sensor, numbers_3dm_internal_sensor, NULL, 2, 1};
+const char *mip_3dm_internal_sensor_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_internal_sensor, value);
+}
+
+static const char name_3dm_stream_format[] = "3dm.stream_format";
+static const char labels_3dm_stream_format[] = "standard\0"
+                                               "wrapped_raw";
+static const uint8_t numbers_3dm_stream_format[] = {1, 2};
+const struct mip_names mip_names_3dm_stream_format = {
+    name_3dm_stream_format, labels_3dm_stream_format, numbers_3dm_stream_format, NULL, 2, 1};
+const char *mip_3dm_stream_format_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_stream_format, value);
+}
+
+static const char name_3dm_sensor_power_state[] = "3dm.sensor_power_state";
+static const char labels_3dm_sensor_power_state[] = "on\0"
+                                                    "low_power\0"
+                                                    "sleep\0"
+                                                    "off";
+static const uint8_t numbers_3dm_sensor_power_state[] = {1, 2, 3, 4};
+const struct mip_names mip_names_3dm_sensor_power_state = {name_3dm_sensor_power_state,
+                                                           labels_3dm_sensor_power_state,
+                                                           numbers_3dm_sensor_power_state,
+                                                           NULL,
+                                                           4,
+                                                           1};
+const char *mip_3dm_sensor_power_state_name(uint8_t value) {
+    return mip_value_name(&mip_names_3dm_sensor_power_state, value);
 }
 
 static const char name_3dm_device_status_selector[] = "3dm.device_status_selector";
@@ -1094,6 +1200,51 @@ static const struct mip_named_bits bits_gnss_beidou_signals[] = {
 const struct mip_names mip_names_gnss_beidou_signals = {
     name_gnss_beidou_signals, labels_gnss_beidou_signals, NULL, bits_gnss_beidou_signals, 3, 1};
 
+static const char name_gnss_receiver_id[] = "gnss.receiver_id";
+static const char labels_gnss_receiver_id[] = "all\0"
+                                              "internal_receiver_1\0"
+                                              "internal_receiver_2\0"
+                                              "user_receiver_1\0"
+                                              "user_receiver_2";
+static const uint8_t numbers_gnss_receiver_id[] = {0, 1, 2, 4, 5};
+const struct mip_names mip_names_gnss_receiver_id = {
+    name_gnss_receiver_id, labels_gnss_receiver_id, numbers_gnss_receiver_id, NULL, 5, 1};
+const char *mip_gnss_receiver_id_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_receiver_id, value);
+}
+
+static const char name_gnss_receiver_reset_type[] = "gnss.receiver_reset_type";
+static const char labels_gnss_receiver_reset_type[] = "hardware\0"
+                                                      "cold\0"
+                                                      "warm\0"
+                                                      "hot";
+static const uint8_t numbers_gnss_receiver_reset_type[] = {1, 2, 3, 4};
+const struct mip_names mip_names_gnss_receiver_reset_type = {name_gnss_receiver_reset_type,
+                                                             labels_gnss_receiver_reset_type,
+                                                             numbers_gnss_receiver_reset_type,
+                                                             NULL,
+                                                             4,
+                                                             1};
+const char *mip_gnss_receiver_reset_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_receiver_reset_type, value);
+}
+
+static const char name_gnss_ambiguity_fix_mode[] = "gnss.ambiguity_fix_mode";
+static const char labels_gnss_ambiguity_fix_mode[] = "off\0"
+                                                     "conservative\0"
+                                                     "moderate\0"
+                                                     "aggressive";
+static const uint8_t numbers_gnss_ambiguity_fix_mode[] = {1, 2, 3, 4};
+const struct mip_names mip_names_gnss_ambiguity_fix_mode = {name_gnss_ambiguity_fix_mode,
+                                                            labels_gnss_ambiguity_fix_mode,
+                                                            numbers_gnss_ambiguity_fix_mode,
+                                                            NULL,
+                                                            4,
+                                                            1};
+const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_ambiguity_fix_mode, value);
+}
+
 static const char name_gnss_spartn_connection[] = "gnss.spartn_connection";
 static const char labels_gnss_spartn_connection[] = "none\0"
                                                     "network\0"
@@ -1218,18 +1369,16 @@ static const char name_system_comm_protocols[] = "system.comm_protocols";
 static const char labels_system_comm_protocols[] = "mip\0"
                                                    "nmea\0"
                                                    "rtcm\0"
-                                                   "spartn";
+                                                   "spartn\0"
+                                                   "sbf";
 static const struct mip_named_bits bits_system_comm_protocols[] = {
-    {0, 1, NULL},
-    {8, 1, NULL},
-    {9, 1, NULL},
-    {24, 1, NULL},
+    {0, 1, NULL}, {8, 1, NULL}, {9, 1, NULL}, {24, 1, NULL}, {29, 1, NULL},
 };
 const struct mip_names mip_names_system_comm_protocols = {name_system_comm_protocols,
                                                           labels_system_comm_protocols,
                                                           NULL,
                                                           bits_system_comm_protocols,
-                                                          4,
+                                                          5,
                                                           4};
 
 static const char name_system_protocol_mode[] = "system.protocol_mode";
@@ -1726,20 +1875,51 @@ static const char name_gnss_data_rf_error_detection_flags[] = "gnss_data.rf_erro
 static const char labels_gnss_data_rf_error_detection_flags[] = "rf_band\0"
                                                                 "jamming_state\0"
                                                                 "spoofing_state\0"
+                                                                "frequency\0"
                                                                 "flags";
 static const struct mip_named_bits bits_gnss_data_rf_error_detection_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
 };
 const struct mip_names mip_names_gnss_data_rf_error_detection_flags = {
     name_gnss_data_rf_error_detection_flags,
     labels_gnss_data_rf_error_detection_flags,
     NULL,
     bits_gnss_data_rf_error_detection_flags,
-    4,
+    5,
     2};
+
+static const char name_gnss_data_heading_fix_type[] = "gnss_data.heading_fix_type";
+static const char labels_gnss_data_heading_fix_type[] = "unknown\0"
+                                                        "float\0"
+                                                        "fixed";
+static const uint8_t numbers_gnss_data_heading_fix_type[] = {0, 1, 2};
+const struct mip_names mip_names_gnss_data_heading_fix_type = {name_gnss_data_heading_fix_type,
+                                                               labels_gnss_data_heading_fix_type,
+                                                               numbers_gnss_data_heading_fix_type,
+                                                               NULL,
+                                                               3,
+                                                               1};
+const char *mip_gnss_data_heading_fix_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_heading_fix_type, value);
+}
+
+static const char name_gnss_data_heading_flags[] = "gnss_data.heading_flags";
+static const char labels_gnss_data_heading_flags[] = "heading\0"
+                                                     "uncertainty\0"
+                                                     "fix_type\0"
+                                                     "flags";
+static const struct mip_named_bits bits_gnss_data_heading_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_heading_flags = {name_gnss_data_heading_flags,
+                                                            labels_gnss_data_heading_flags,
+                                                            NULL,
+                                                            bits_gnss_data_heading_flags,
+                                                            4,
+                                                            2};
 
 static const char name_gnss_data_satellite_status_flags[] = "gnss_data.satellite_status_flags";
 static const char labels_gnss_data_satellite_status_flags[] = "tow\0"
@@ -2393,8 +2573,15 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_3dm_assisted_fix_option,
     &mip_names_3dm_pps_source,
     &mip_names_3dm_event_support_query,
+    &mip_names_3dm_receiver_dynamics,
+    &mip_names_3dm_data_conditioning_flags,
+    &mip_names_3dm_mag_bandwidth,
+    &mip_names_3dm_imu_timestamp_selector,
     &mip_names_3dm_odometer_mode,
     &mip_names_3dm_sensor_range_type,
+    &mip_names_3dm_internal_sensor,
+    &mip_names_3dm_stream_format,
+    &mip_names_3dm_sensor_power_state,
     &mip_names_3dm_device_status_selector,
     &mip_names_3dm_legacy_data_stream,
     &mip_names_filter_dynamics_mode,
@@ -2422,6 +2609,9 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gnss_glonass_signals,
     &mip_names_gnss_galileo_signals,
     &mip_names_gnss_beidou_signals,
+    &mip_names_gnss_receiver_id,
+    &mip_names_gnss_receiver_reset_type,
+    &mip_names_gnss_ambiguity_fix_mode,
     &mip_names_gnss_spartn_connection,
     &mip_names_rtk_connected_device,
     &mip_names_rtk_service_flags,
@@ -2464,6 +2654,8 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gnss_data_jamming_state,
     &mip_names_gnss_data_spoofing_state,
     &mip_names_gnss_data_rf_error_detection_flags,
+    &mip_names_gnss_data_heading_fix_type,
+    &mip_names_gnss_data_heading_flags,
     &mip_names_gnss_data_satellite_status_flags,
     &mip_names_gnss_data_signal_quality,
     &mip_names_gnss_data_raw_flags,

@@ -92,10 +92,24 @@ extern MIP_API const struct mip_names mip_names_3dm_assisted_fix_option;
 extern MIP_API const struct mip_names mip_names_3dm_pps_source;
 /** 3dm.event_support_query */
 extern MIP_API const struct mip_names mip_names_3dm_event_support_query;
+/** 3dm.receiver_dynamics */
+extern MIP_API const struct mip_names mip_names_3dm_receiver_dynamics;
+/** 3dm.data_conditioning_flags */
+extern MIP_API const struct mip_names mip_names_3dm_data_conditioning_flags;
+/** 3dm.mag_bandwidth */
+extern MIP_API const struct mip_names mip_names_3dm_mag_bandwidth;
+/** 3dm.imu_timestamp_selector */
+extern MIP_API const struct mip_names mip_names_3dm_imu_timestamp_selector;
 /** 3dm.odometer_mode */
 extern MIP_API const struct mip_names mip_names_3dm_odometer_mode;
 /** 3dm.sensor_range_type */
 extern MIP_API const struct mip_names mip_names_3dm_sensor_range_type;
+/** 3dm.internal_sensor */
+extern MIP_API const struct mip_names mip_names_3dm_internal_sensor;
+/** 3dm.stream_format */
+extern MIP_API const struct mip_names mip_names_3dm_stream_format;
+/** 3dm.sensor_power_state */
+extern MIP_API const struct mip_names mip_names_3dm_sensor_power_state;
 /** 3dm.device_status_selector */
 extern MIP_API const struct mip_names mip_names_3dm_device_status_selector;
 /** 3dm.legacy_data_stream */
@@ -150,6 +164,12 @@ extern MIP_API const struct mip_names mip_names_gnss_glonass_signals;
 extern MIP_API const struct mip_names mip_names_gnss_galileo_signals;
 /** gnss.beidou_signals */
 extern MIP_API const struct mip_names mip_names_gnss_beidou_signals;
+/** gnss.receiver_id */
+extern MIP_API const struct mip_names mip_names_gnss_receiver_id;
+/** gnss.receiver_reset_type */
+extern MIP_API const struct mip_names mip_names_gnss_receiver_reset_type;
+/** gnss.ambiguity_fix_mode */
+extern MIP_API const struct mip_names mip_names_gnss_ambiguity_fix_mode;
 /** gnss.spartn_connection */
 extern MIP_API const struct mip_names mip_names_gnss_spartn_connection;
 /** rtk.connected_device */
@@ -234,6 +254,10 @@ extern MIP_API const struct mip_names mip_names_gnss_data_jamming_state;
 extern MIP_API const struct mip_names mip_names_gnss_data_spoofing_state;
 /** gnss_data.rf_error_detection_flags */
 extern MIP_API const struct mip_names mip_names_gnss_data_rf_error_detection_flags;
+/** gnss_data.heading_fix_type */
+extern MIP_API const struct mip_names mip_names_gnss_data_heading_fix_type;
+/** gnss_data.heading_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_heading_flags;
 /** gnss_data.satellite_status_flags */
 extern MIP_API const struct mip_names mip_names_gnss_data_satellite_status_flags;
 /** gnss_data.signal_quality */

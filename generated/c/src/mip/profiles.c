@@ -1593,6 +1593,7 @@ static const struct mip_profile_field gq4_45_fields[] = {
     {0x0C, 0x0A, "WRSLD", NULL},              /* 3dm.filter_message_format */
     {0x0C, 0x0B, "", NULL},                   /* 3dm.get_filter_base_rate */
     {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", NULL},                   /* 3dm.raw_rtcm_2_3_message */
     {0x0C, 0x21, "WRSLD", NULL},              /* 3dm.constellation_settings */
     {0x0C, 0x22, "WRSLD", NULL},              /* 3dm.gnss_sbas_settings */
     {0x0C, 0x30, "SLD", NULL},                /* 3dm.device_settings */
@@ -1634,7 +1635,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     4,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    35,   /* fields */
+    36,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2001,6 +2002,8 @@ static const char gx3_35_evidence_1[] = "The vendor's software requests it from 
 
 static const char gx3_35_evidence_2[] = "MSCL lists the choices for this device.";
 
+static const char gx3_35_evidence_3[] = "The SDK of 2014 has an example for this device.";
+
 static const struct mip_profile_field gx3_35_fields[] = {
     {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_35_evidence_1},      /* base.set_idle */
@@ -2008,6 +2011,12 @@ static const struct mip_profile_field gx3_35_fields[] = {
     {0x01, 0x04, "", gx3_35_evidence_1},      /* base.get_device_descriptors */
     {0x01, 0x06, "", gx3_35_evidence_1},      /* base.resume */
     {0x0C, 0x11, "WRSLD", gx3_35_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x34, "WRSLD", gx3_35_evidence_3}, /* 3dm.gps_dynamics_mode */
+    {0x0C, 0x35, "WRSLD", gx3_35_evidence_3}, /* 3dm.imu_signal_conditioning */
+    {0x0C, 0x36, "WR", gx3_35_evidence_3},    /* 3dm.imu_timestamp */
+    {0x0C, 0x60, "WRSLD", gx3_35_evidence_3}, /* 3dm.data_stream_format */
+    {0x0C, 0x61, "WRSLD", gx3_35_evidence_3}, /* 3dm.device_power_state */
+    {0x0C, 0x62, "SLD", gx3_35_evidence_3},   /* 3dm.gps_advanced_settings */
 };
 
 static const struct mip_profile_reading gx3_35_readings[] = {
@@ -2024,7 +2033,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    12,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2052,6 +2061,8 @@ static const char gx3_45_evidence_1[] = "The vendor's software requests it from 
 
 static const char gx3_45_evidence_2[] = "MSCL lists the choices for this device.";
 
+static const char gx3_45_evidence_3[] = "The SDK of 2014 has an example for this device.";
+
 static const struct mip_profile_field gx3_45_fields[] = {
     {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_45_evidence_1},      /* base.set_idle */
@@ -2059,6 +2070,7 @@ static const struct mip_profile_field gx3_45_fields[] = {
     {0x01, 0x04, "", gx3_45_evidence_1},      /* base.get_device_descriptors */
     {0x01, 0x06, "", gx3_45_evidence_1},      /* base.resume */
     {0x0C, 0x11, "WRSLD", gx3_45_evidence_2}, /* 3dm.data_stream_control */
+    {0x0D, 0x04, "", gx3_45_evidence_3},      /* filter.set_initial_attitude_from_imu */
     {0x0D, 0x10, "WRSLD", gx3_45_evidence_2}, /* filter.vehicle_dynamics_mode */
     {0x0D, 0x14, "WRSLD", gx3_45_evidence_2}, /* filter.estimation_control */
     {0x0D, 0x18, "WRSLD", gx3_45_evidence_2}, /* filter.heading_source */
@@ -2081,7 +2093,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    11,   /* fields */
+    12,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2768,6 +2780,7 @@ static const struct mip_profile_field gx5_45_fields[] = {
     {0x0C, 0x0A, "WRSLD", NULL},               /* 3dm.filter_message_format */
     {0x0C, 0x0B, "", NULL},                    /* 3dm.get_filter_base_rate */
     {0x0C, 0x11, "WRSLD", gx5_45_evidence_1},  /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", NULL},                    /* 3dm.raw_rtcm_2_3_message */
     {0x0C, 0x21, "WRSLD", gx5_45_evidence_1},  /* 3dm.constellation_settings */
     {0x0C, 0x22, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_sbas_settings */
     {0x0C, 0x23, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_assisted_fix */
@@ -2899,7 +2912,7 @@ const struct mip_profile mip_profile_gx5_45 = {
     5,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    100,  /* fields */
+    101,  /* fields */
     3,    /* base rates */
     2,    /* ports */
     2,    /* limits */
@@ -3004,6 +3017,7 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
     {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
     {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
     {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
     {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
     {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
     {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
@@ -3050,7 +3064,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     4,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    34,   /* fields */
+    35,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -3100,6 +3114,7 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
     {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
     {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
     {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
     {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
     {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
     {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
@@ -3146,7 +3161,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     4,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    34,   /* fields */
+    35,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */

@@ -297,6 +297,7 @@ extern MIP_API const struct mip_profile mip_profile_gx3_25;
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
+ * - mip-sdk-2014: Example of the 3DM-GX3-35
  */
 extern MIP_API const struct mip_profile mip_profile_gx3_35;
 
@@ -308,6 +309,7 @@ extern MIP_API const struct mip_profile mip_profile_gx3_35;
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
+ * - mip-sdk-2014: Example of the 3DM-GX3-45
  */
 extern MIP_API const struct mip_profile mip_profile_gx3_45;
 

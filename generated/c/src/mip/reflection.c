@@ -11,11 +11,13 @@
 #include "mip/filter.h"
 #include "mip/gnss.h"
 #include "mip/rtk.h"
+#include "mip/displacement.h"
 #include "mip/aiding.h"
 #include "mip/system.h"
 #include "mip/sensor.h"
 #include "mip/gnss_data.h"
 #include "mip/filter_data.h"
+#include "mip/displacement_data.h"
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
@@ -750,6 +752,17 @@ static const struct mip_record record_3dm_data_stream_control = {
 };
 static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
 
+static const struct mip_parameter parameters_3dm_raw_rtcm_2_3_message[] = {
+    {"data", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_REST, 253, 1, 0, 0, 0,
+     MANY(struct mip_3dm_raw_rtcm_2_3_message, data),
+     offsetof(struct mip_3dm_raw_rtcm_2_3_message, data_count), NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_raw_rtcm_2_3_message = {
+    parameters_3dm_raw_rtcm_2_3_message,
+    1,
+    sizeof(struct mip_3dm_raw_rtcm_2_3_message),
+};
+
 static const struct mip_parameter parameters_3dm_constellation_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_constellation_settings, function), 0, &mip_names_function_selector, NULL,
@@ -1024,6 +1037,70 @@ static const struct mip_record record_3dm_sensor_to_vehicle_dcm = {
 };
 static const uint8_t required_3dm_sensor_to_vehicle_dcm[] = {0, 1, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_3dm_gps_dynamics_mode[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gps_dynamics_mode, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gps_dynamics_mode, mode), 0, &mip_names_3dm_receiver_dynamics, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_gps_dynamics_mode = {
+    parameters_3dm_gps_dynamics_mode,
+    2,
+    sizeof(struct mip_3dm_gps_dynamics_mode),
+};
+static const uint8_t required_3dm_gps_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_imu_signal_conditioning[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"orientation_decimation", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, orientation_decimation), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"data_conditioning_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, data_conditioning_flags), 0,
+     &mip_names_3dm_data_conditioning_flags, NULL, NULL, NULL, 0},
+    {"inertial_filter_width", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, inertial_filter_width), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"mag_filter_width", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, mag_filter_width), 0, NULL, NULL, NULL, NULL, 0},
+    {"up_compensation", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, up_compensation), 0, NULL, NULL, NULL, NULL, 0},
+    {"north_compensation", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, north_compensation), 0, NULL, NULL, NULL, NULL, 0},
+    {"mag_bandwidth", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 7, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, mag_bandwidth), 0, &mip_names_3dm_mag_bandwidth,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 8, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_imu_signal_conditioning = {
+    parameters_3dm_imu_signal_conditioning,
+    9,
+    sizeof(struct mip_3dm_imu_signal_conditioning),
+};
+static const uint8_t required_3dm_imu_signal_conditioning[] = {0, 8, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_imu_timestamp[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_timestamp, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_imu_timestamp, selector), 0, &mip_names_3dm_imu_timestamp_selector, NULL,
+     NULL, NULL, 0},
+    {"time", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_imu_timestamp, time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_imu_timestamp = {
+    parameters_3dm_imu_timestamp,
+    3,
+    sizeof(struct mip_3dm_imu_timestamp),
+};
+static const uint8_t required_3dm_imu_timestamp[] = {0, 2, 1};
+
 static const struct mip_parameter parameters_3dm_accel_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_accel_bias, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
@@ -1274,6 +1351,54 @@ static const struct mip_record record_3dm_low_pass_filter = {
 };
 static const uint8_t required_3dm_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
 
+static const struct mip_parameter parameters_3dm_data_stream_format[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_data_stream_format, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"stream", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_data_stream_format, stream), 0, &mip_names_3dm_internal_sensor, NULL, NULL,
+     NULL, 0},
+    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_data_stream_format, format), 0, &mip_names_3dm_stream_format, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_data_stream_format = {
+    parameters_3dm_data_stream_format,
+    3,
+    sizeof(struct mip_3dm_data_stream_format),
+};
+static const uint8_t required_3dm_data_stream_format[] = {0, 2, 2, 2, 2, 2};
+
+static const struct mip_parameter parameters_3dm_device_power_state[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_power_state, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"device", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_device_power_state, device), 0, &mip_names_3dm_internal_sensor, NULL, NULL,
+     NULL, 0},
+    {"state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_device_power_state, state), 0, &mip_names_3dm_sensor_power_state, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_device_power_state = {
+    parameters_3dm_device_power_state,
+    3,
+    sizeof(struct mip_3dm_device_power_state),
+};
+static const uint8_t required_3dm_device_power_state[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_3dm_gps_advanced_settings[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gps_advanced_settings, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gps_advanced_settings = {
+    parameters_3dm_gps_advanced_settings,
+    1,
+    sizeof(struct mip_3dm_gps_advanced_settings),
+};
+static const uint8_t required_3dm_gps_advanced_settings[] = {0, 0, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_3dm_device_status[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status, model_number), 0, NULL, NULL, NULL, NULL, 0},
@@ -1391,6 +1516,37 @@ static const struct mip_record record_3dm_data_stream_control_response = {
     sizeof(struct mip_3dm_data_stream_control_response),
 };
 
+static const struct mip_parameter parameters_3dm_imu_signal_conditioning_response[] = {
+    {"orientation_decimation", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, orientation_decimation), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"data_conditioning_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, data_conditioning_flags), 0,
+     &mip_names_3dm_data_conditioning_flags, NULL, NULL, NULL, 0},
+    {"inertial_filter_width", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, inertial_filter_width), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"mag_filter_width", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, mag_filter_width), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"up_compensation", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, up_compensation), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"north_compensation", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, north_compensation), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"mag_bandwidth", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, mag_bandwidth), 0,
+     &mip_names_3dm_mag_bandwidth, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_signal_conditioning_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_imu_signal_conditioning_response = {
+    parameters_3dm_imu_signal_conditioning_response,
+    8,
+    sizeof(struct mip_3dm_imu_signal_conditioning_response),
+};
+
 static const struct mip_parameter parameters_3dm_uart_baud_rate_response[] = {
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_uart_baud_rate_response, baud), 0, NULL, NULL, NULL, NULL, 0},
@@ -1399,6 +1555,34 @@ static const struct mip_record record_3dm_uart_baud_rate_response = {
     parameters_3dm_uart_baud_rate_response,
     1,
     sizeof(struct mip_3dm_uart_baud_rate_response),
+};
+
+static const struct mip_parameter parameters_3dm_data_stream_format_response[] = {
+    {"stream", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_data_stream_format_response, stream), 0, &mip_names_3dm_internal_sensor,
+     NULL, NULL, NULL, 0},
+    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_data_stream_format_response, format), 0, &mip_names_3dm_stream_format, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_data_stream_format_response = {
+    parameters_3dm_data_stream_format_response,
+    2,
+    sizeof(struct mip_3dm_data_stream_format_response),
+};
+
+static const struct mip_parameter parameters_3dm_device_power_state_response[] = {
+    {"device", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_power_state_response, device), 0, &mip_names_3dm_internal_sensor,
+     NULL, NULL, NULL, 0},
+    {"state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_power_state_response, state), 0, &mip_names_3dm_sensor_power_state,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_device_power_state_response = {
+    parameters_3dm_device_power_state_response,
+    2,
+    sizeof(struct mip_3dm_device_power_state_response),
 };
 
 static const struct mip_parameter parameters_3dm_get_filter_base_rate_response[] = {
@@ -1957,6 +2141,30 @@ static const struct mip_record record_3dm_device_status_diagnostic_imu_response 
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
 };
 
+static const struct mip_parameter parameters_3dm_gps_dynamics_mode_response[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gps_dynamics_mode_response, mode), 0, &mip_names_3dm_receiver_dynamics,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gps_dynamics_mode_response = {
+    parameters_3dm_gps_dynamics_mode_response,
+    1,
+    sizeof(struct mip_3dm_gps_dynamics_mode_response),
+};
+
+static const struct mip_parameter parameters_3dm_imu_timestamp_response[] = {
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_timestamp_response, selector), 0, &mip_names_3dm_imu_timestamp_selector,
+     NULL, NULL, NULL, 0},
+    {"time", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_imu_timestamp_response, time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_imu_timestamp_response = {
+    parameters_3dm_imu_timestamp_response,
+    2,
+    sizeof(struct mip_3dm_imu_timestamp_response),
+};
+
 static const struct mip_parameter parameters_3dm_complementary_filter_response[] = {
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_complementary_filter_response, pitch_roll_enable), 0, NULL, NULL, NULL,
@@ -2388,6 +2596,17 @@ static const struct mip_record record_filter_set_initial_heading = {
     parameters_filter_set_initial_heading,
     1,
     sizeof(struct mip_filter_set_initial_heading),
+};
+
+static const struct mip_parameter parameters_filter_set_initial_attitude_from_imu[] = {
+    {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_set_initial_attitude_from_imu, declination), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_set_initial_attitude_from_imu = {
+    parameters_filter_set_initial_attitude_from_imu,
+    1,
+    sizeof(struct mip_filter_set_initial_attitude_from_imu),
 };
 
 static const struct mip_record record_filter_run = {
@@ -3845,6 +4064,37 @@ static const struct mip_record record_gnss_signal_config = {
 };
 static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_gnss_receiver_reset[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_receiver_reset, receiver_id), 0, &mip_names_gnss_receiver_id, NULL, NULL,
+     NULL, 0},
+    {"reset_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_receiver_reset, reset_type), 0, &mip_names_gnss_receiver_reset_type, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_receiver_reset = {
+    parameters_gnss_receiver_reset,
+    2,
+    sizeof(struct mip_gnss_receiver_reset),
+};
+
+static const struct mip_parameter parameters_gnss_rtk_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_config, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
+    {"ambiguity_fix_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_gnss_rtk_config, ambiguity_fix_mode), 0, &mip_names_gnss_ambiguity_fix_mode,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 2, 0,
+     MANY(struct mip_gnss_rtk_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_config = {
+    parameters_gnss_rtk_config,
+    3,
+    sizeof(struct mip_gnss_rtk_config),
+};
+static const uint8_t required_gnss_rtk_config[] = {0, 2, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_rtk_dongle_config, function), 0, &mip_names_function_selector, NULL, NULL,
@@ -3923,6 +4173,19 @@ static const struct mip_record record_gnss_signal_config_response = {
     parameters_gnss_signal_config_response,
     5,
     sizeof(struct mip_gnss_signal_config_response),
+};
+
+static const struct mip_parameter parameters_gnss_rtk_config_response[] = {
+    {"ambiguity_fix_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_config_response, ambiguity_fix_mode), 0,
+     &mip_names_gnss_ambiguity_fix_mode, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_rtk_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_config_response = {
+    parameters_gnss_rtk_config_response,
+    2,
+    sizeof(struct mip_gnss_rtk_config_response),
 };
 
 static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] = {
@@ -4662,6 +4925,20 @@ static const struct mip_record record_sensor_pps_timestamp = {
     sizeof(struct mip_sensor_pps_timestamp),
 };
 
+static const struct mip_parameter parameters_sensor_pps_timestamp_with_flags[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, flags), 0, NULL, NULL, NULL, NULL, 0},
+    {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, seconds), 0, NULL, NULL, NULL, NULL, 0},
+    {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_pps_timestamp_with_flags = {
+    parameters_sensor_pps_timestamp_with_flags,
+    3,
+    sizeof(struct mip_sensor_pps_timestamp_with_flags),
+};
+
 static const struct mip_parameter parameters_sensor_north_vector[] = {
     {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_north_vector, stabilized_mag), 0, NULL, NULL, NULL, NULL, 0},
@@ -5001,6 +5278,26 @@ static const struct mip_record record_gnss_data_dgps_info = {
     sizeof(struct mip_gnss_data_dgps_info),
 };
 
+static const struct mip_parameter parameters_gnss_data_dgps_info_satellite[] = {
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, range_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_rate_correction", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_data_dgps_info_satellite, range_rate_correction), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, valid_flags), 0,
+     &mip_names_gnss_data_dgps_info_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_data_dgps_info_satellite = {
+    parameters_gnss_data_dgps_info_satellite,
+    5,
+    sizeof(struct mip_gnss_data_dgps_info_satellite),
+};
+
 static const struct mip_parameter parameters_gnss_data_dgps_channel[] = {
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_data_dgps_channel, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
@@ -5121,7 +5418,9 @@ static const struct mip_parameter parameters_gnss_data_rf_error_detection[] = {
     {"spoofing_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_data_rf_error_detection, spoofing_state), 0,
      &mip_names_gnss_data_spoofing_state, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+    {"frequency", "MHz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_rf_error_detection, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
      MANY(struct mip_gnss_data_rf_error_detection, reserved), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_data_rf_error_detection, valid_flags), 0,
@@ -5129,8 +5428,26 @@ static const struct mip_parameter parameters_gnss_data_rf_error_detection[] = {
 };
 static const struct mip_record record_gnss_data_rf_error_detection = {
     parameters_gnss_data_rf_error_detection,
-    5,
+    6,
     sizeof(struct mip_gnss_data_rf_error_detection),
+};
+
+static const struct mip_parameter parameters_gnss_data_heading[] = {
+    {"heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, heading), 0, NULL, NULL, NULL, NULL, 0},
+    {"uncertainty", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, fix_type), 0, &mip_names_gnss_data_heading_fix_type, NULL,
+     NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, valid_flags), 0, &mip_names_gnss_data_heading_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_data_heading = {
+    parameters_gnss_data_heading,
+    4,
+    sizeof(struct mip_gnss_data_heading),
 };
 
 static const struct mip_parameter parameters_gnss_data_satellite_status[] = {
@@ -6507,6 +6824,26 @@ static const struct mip_record record_filter_data_aiding_frame_error_uncertainty
     sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
 };
 
+static const struct mip_parameter parameters_displacement_data_displacement_raw[] = {
+    {"counts", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_data_displacement_raw, counts), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_data_displacement_raw = {
+    parameters_displacement_data_displacement_raw,
+    1,
+    sizeof(struct mip_displacement_data_displacement_raw),
+};
+
+static const struct mip_parameter parameters_displacement_data_displacement[] = {
+    {"displacement", "mm", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_displacement_data_displacement, displacement), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_displacement_data_displacement = {
+    parameters_displacement_data_displacement,
+    1,
+    sizeof(struct mip_displacement_data_displacement),
+};
+
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
 };
@@ -6723,6 +7060,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_data_stream_control_codec, &record_3dm_data_stream_control, true, true,
      required_3dm_data_stream_control, sizeof(required_3dm_data_stream_control),
      offsetof(struct mip_3dm_data_stream_control, present)},
+    {&mip_3dm_raw_rtcm_2_3_message_codec, &record_3dm_raw_rtcm_2_3_message, false, false, NULL, 0,
+     0},
     {&mip_3dm_constellation_settings_codec, &record_3dm_constellation_settings, true, true,
      required_3dm_constellation_settings, sizeof(required_3dm_constellation_settings),
      offsetof(struct mip_3dm_constellation_settings, present)},
@@ -6764,6 +7103,15 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_sensor_to_vehicle_dcm_codec, &record_3dm_sensor_to_vehicle_dcm, true, true,
      required_3dm_sensor_to_vehicle_dcm, sizeof(required_3dm_sensor_to_vehicle_dcm),
      offsetof(struct mip_3dm_sensor_to_vehicle_dcm, present)},
+    {&mip_3dm_gps_dynamics_mode_codec, &record_3dm_gps_dynamics_mode, true, true,
+     required_3dm_gps_dynamics_mode, sizeof(required_3dm_gps_dynamics_mode),
+     offsetof(struct mip_3dm_gps_dynamics_mode, present)},
+    {&mip_3dm_imu_signal_conditioning_codec, &record_3dm_imu_signal_conditioning, true, true,
+     required_3dm_imu_signal_conditioning, sizeof(required_3dm_imu_signal_conditioning),
+     offsetof(struct mip_3dm_imu_signal_conditioning, present)},
+    {&mip_3dm_imu_timestamp_codec, &record_3dm_imu_timestamp, true, true,
+     required_3dm_imu_timestamp, sizeof(required_3dm_imu_timestamp),
+     offsetof(struct mip_3dm_imu_timestamp, present)},
     {&mip_3dm_accel_bias_codec, &record_3dm_accel_bias, true, true, required_3dm_accel_bias,
      sizeof(required_3dm_accel_bias), offsetof(struct mip_3dm_accel_bias, present)},
     {&mip_3dm_gyro_bias_codec, &record_3dm_gyro_bias, true, true, required_3dm_gyro_bias,
@@ -6801,6 +7149,14 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_low_pass_filter_codec, &record_3dm_low_pass_filter, true, true,
      required_3dm_low_pass_filter, sizeof(required_3dm_low_pass_filter),
      offsetof(struct mip_3dm_low_pass_filter, present)},
+    {&mip_3dm_data_stream_format_codec, &record_3dm_data_stream_format, true, true,
+     required_3dm_data_stream_format, sizeof(required_3dm_data_stream_format),
+     offsetof(struct mip_3dm_data_stream_format, present)},
+    {&mip_3dm_device_power_state_codec, &record_3dm_device_power_state, true, true,
+     required_3dm_device_power_state, sizeof(required_3dm_device_power_state),
+     offsetof(struct mip_3dm_device_power_state, present)},
+    {&mip_3dm_gps_advanced_settings_codec, &record_3dm_gps_advanced_settings, true, false,
+     required_3dm_gps_advanced_settings, sizeof(required_3dm_gps_advanced_settings), 0},
     {&mip_3dm_device_status_codec, &record_3dm_device_status, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_response_codec, &record_3dm_imu_message_format_response, false,
      false, NULL, 0, 0},
@@ -6814,8 +7170,14 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_3dm_data_stream_control_response_codec, &record_3dm_data_stream_control_response, false,
      false, NULL, 0, 0},
+    {&mip_3dm_imu_signal_conditioning_response_codec, &record_3dm_imu_signal_conditioning_response,
+     false, false, NULL, 0, 0},
     {&mip_3dm_uart_baud_rate_response_codec, &record_3dm_uart_baud_rate_response, false, false,
      NULL, 0, 0},
+    {&mip_3dm_data_stream_format_response_codec, &record_3dm_data_stream_format_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_device_power_state_response_codec, &record_3dm_device_power_state_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_get_filter_base_rate_response_codec, &record_3dm_get_filter_base_rate_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_imu_low_pass_filter_response_codec, &record_3dm_imu_low_pass_filter_response, false,
@@ -6842,6 +7204,10 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_device_status_diagnostic_gx4_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_imu_response_codec,
      &record_3dm_device_status_diagnostic_imu_response, false, false, NULL, 0, 0},
+    {&mip_3dm_gps_dynamics_mode_response_codec, &record_3dm_gps_dynamics_mode_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_imu_timestamp_response_codec, &record_3dm_imu_timestamp_response, false, false, NULL,
+     0, 0},
     {&mip_3dm_complementary_filter_response_codec, &record_3dm_complementary_filter_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_accel_bias_response_codec, &record_3dm_accel_bias_response, false, false, NULL, 0, 0},
@@ -6896,6 +7262,8 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_filter_set_initial_heading_codec, &record_filter_set_initial_heading, false, false, NULL,
      0, 0},
+    {&mip_filter_set_initial_attitude_from_imu_codec, &record_filter_set_initial_attitude_from_imu,
+     false, false, NULL, 0, 0},
     {&mip_filter_run_codec, &record_filter_run, false, false, NULL, 0, 0},
     {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
      required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
@@ -7141,6 +7509,9 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
      required_gnss_signal_config, sizeof(required_gnss_signal_config),
      offsetof(struct mip_gnss_signal_config, present)},
+    {&mip_gnss_receiver_reset_codec, &record_gnss_receiver_reset, false, false, NULL, 0, 0},
+    {&mip_gnss_rtk_config_codec, &record_gnss_rtk_config, true, true, required_gnss_rtk_config,
+     sizeof(required_gnss_rtk_config), offsetof(struct mip_gnss_rtk_config, present)},
     {&mip_gnss_rtk_dongle_config_codec, &record_gnss_rtk_dongle_config, true, true,
      required_gnss_rtk_dongle_config, sizeof(required_gnss_rtk_dongle_config),
      offsetof(struct mip_gnss_rtk_dongle_config, present)},
@@ -7151,6 +7522,8 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_gnss_signal_config_response_codec, &record_gnss_signal_config_response, false, false,
      NULL, 0, 0},
+    {&mip_gnss_rtk_config_response_codec, &record_gnss_rtk_config_response, false, false, NULL, 0,
+     0},
     {&mip_gnss_rtk_dongle_config_response_codec, &record_gnss_rtk_dongle_config_response, false,
      false, NULL, 0, 0},
     {&mip_gnss_spartn_config_response_codec, &record_gnss_spartn_config_response, false, false,
@@ -7234,6 +7607,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_internal_timestamp_codec, &record_sensor_internal_timestamp, false, false, NULL, 0,
      0},
     {&mip_sensor_pps_timestamp_codec, &record_sensor_pps_timestamp, false, false, NULL, 0, 0},
+    {&mip_sensor_pps_timestamp_with_flags_codec, &record_sensor_pps_timestamp_with_flags, false,
+     false, NULL, 0, 0},
     {&mip_sensor_north_vector_codec, &record_sensor_north_vector, false, false, NULL, 0, 0},
     {&mip_sensor_up_vector_codec, &record_sensor_up_vector, false, false, NULL, 0, 0},
     {&mip_sensor_gps_timestamp_codec, &record_sensor_gps_timestamp, false, false, NULL, 0, 0},
@@ -7256,6 +7631,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_data_hardware_status_codec, &record_gnss_data_hardware_status, false, false, NULL, 0,
      0},
     {&mip_gnss_data_dgps_info_codec, &record_gnss_data_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_dgps_info_satellite_codec, &record_gnss_data_dgps_info_satellite, false, false,
+     NULL, 0, 0},
     {&mip_gnss_data_dgps_channel_codec, &record_gnss_data_dgps_channel, false, false, NULL, 0, 0},
     {&mip_gnss_data_clock_info_2_codec, &record_gnss_data_clock_info_2, false, false, NULL, 0, 0},
     {&mip_gnss_data_gps_leap_seconds_codec, &record_gnss_data_gps_leap_seconds, false, false, NULL,
@@ -7265,6 +7642,7 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_gnss_data_rf_error_detection_codec, &record_gnss_data_rf_error_detection, false, false,
      NULL, 0, 0},
+    {&mip_gnss_data_heading_codec, &record_gnss_data_heading, false, false, NULL, 0, 0},
     {&mip_gnss_data_satellite_status_codec, &record_gnss_data_satellite_status, false, false, NULL,
      0, 0},
     {&mip_gnss_data_raw_codec, &record_gnss_data_raw, false, false, NULL, 0, 0},
@@ -7391,6 +7769,10 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_aiding_frame_config_error, false, false, NULL, 0, 0},
     {&mip_filter_data_aiding_frame_error_uncertainty_codec,
      &record_filter_data_aiding_frame_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_displacement_data_displacement_raw_codec, &record_displacement_data_displacement_raw,
+     false, false, NULL, 0, 0},
+    {&mip_displacement_data_displacement_codec, &record_displacement_data_displacement, false,
+     false, NULL, 0, 0},
     {&mip_system_data_built_in_test_codec, &record_system_data_built_in_test, false, false, NULL, 0,
      0},
     {&mip_system_data_time_sync_status_codec, &record_system_data_time_sync_status, false, false,

@@ -151,12 +151,29 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     program_internal_timestamp};
 
 static const uint8_t program_pps_timestamp[] = {
+    MIP_SIZES(0, 8),
     MIP_32_BITS(2, MIP_AT(struct mip_sensor_pps_timestamp, seconds)),
     MIP_END,
 };
 
 const struct mip_codec mip_sensor_pps_timestamp_codec = {
-    0x80, 0x0F, MIP_DATA, 8, sizeof(struct mip_sensor_pps_timestamp), 0, program_pps_timestamp};
+    0x80, 0x0F, MIP_DATA, 0, sizeof(struct mip_sensor_pps_timestamp), 0, program_pps_timestamp};
+
+static const uint8_t program_pps_timestamp_with_flags[] = {
+    MIP_SIZES(9, 253),
+    MIP_8_BITS(1, MIP_AT(struct mip_sensor_pps_timestamp_with_flags, flags)),
+    MIP_32_BITS(2, MIP_AT(struct mip_sensor_pps_timestamp_with_flags, seconds)),
+    MIP_END,
+};
+
+const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec = {
+    0x80,
+    0x0F,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_sensor_pps_timestamp_with_flags),
+    0,
+    program_pps_timestamp_with_flags};
 
 static const uint8_t program_north_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_north_vector, stabilized_mag)),

@@ -54,9 +54,10 @@ typedef uint16_t mip_sensor_odometer_flags;
  *
  * Raw acceleration in counts of the sensor, temperature compensated.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Accel (0x80,0x01)
+ * - mip-sdk-2014: Raw Accel (0x80,0x01)
  */
 struct mip_sensor_raw_accel {
     /** Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
@@ -120,9 +121,10 @@ static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sens
  *
  * Raw angular rate in counts of the sensor, temperature compensated.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Gyro (0x80,0x02)
+ * - mip-sdk-2014: Raw Gyro (0x80,0x02)
  */
 struct mip_sensor_raw_gyro {
     /** Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
@@ -186,9 +188,10 @@ static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_senso
  *
  * Raw magnetic field in counts of the sensor, temperature compensated.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Mag (0x80,0x03)
+ * - mip-sdk-2014: Raw Mag (0x80,0x03)
  */
 struct mip_sensor_raw_mag {
     /**
@@ -739,10 +742,11 @@ static inline mip_error mip_sensor_comp_quaternion_encode_inline(
  * Change of the attitude from the complementary filter as a matrix.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the change and the
- * frames. The SDK gives the name only.
+ * profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
+ * the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+ * - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
  */
 struct mip_sensor_comp_orientation_update_matrix {
     /**
@@ -882,13 +886,19 @@ static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
  * Raw readings of four temperature sensors.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Also called
- * `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK.
+ * `orientation_raw_temp`. Not listed in any device profile. Known only from the MIP SDK of 2014 and
+ * MicroStrain MIP SDK.
+ *
+ * The first sensor is that of the magnetometer, the second that of gyroscope 3 and accelerometer 3,
+ * the third that of gyroscope 2 and accelerometers 1 and 2, the fourth that of gyroscope 1.
  *
  * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+ * - mip-sdk-2014: Raw Temperature (0x80,0x0D)
  */
 struct mip_sensor_orientation_raw_temperature {
-    /** Temperatures in counts. Unit: 1. Uncertain: The scale, and which sensor is which. */
+    /**
+     * Temperatures in counts. Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are.
+     */
     uint16_t raw_temperature[4];
 };
 
@@ -950,12 +960,14 @@ static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
  * Free-running counter of the device.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK.
+ * profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices
+ * send it. The SDK of 2014 is for devices of the 3-series and 4-series.
  *
  * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+ * - mip-sdk-2014: Internal Timestamp (0x80,0x0E)
  */
 struct mip_sensor_internal_timestamp {
-    /** Counter. Unit: 1. Uncertain: The period of one count. */
+    /** Counter: 62 500 counts per second, 16 us each. Unit: 1. */
     uint32_t counts;
 };
 
@@ -1012,8 +1024,12 @@ static inline mip_error mip_sensor_internal_timestamp_encode_inline(
  *
  * Time counted by the pulse per second.
  *
- * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
+ * mip_sensor_pps_timestamp_with_flags by the size of its data. Not listed in any device profile.
+ * Known only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it.
+ * mip_sensor_pps_timestamp_with_flags has more sources. Uncertain: The epoch.
+ *
+ * The sources contradict each other. Only the SDK has this layout.
  *
  * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
  */
@@ -1024,7 +1040,10 @@ struct mip_sensor_pps_timestamp {
     uint32_t useconds;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_SENSOR_PPS_TIMESTAMP 0x800F
 /** Its descriptor. */
 #define MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR 0x0F
@@ -1049,7 +1068,11 @@ static inline mip_error mip_sensor_pps_timestamp_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_sensor_pps_timestamp_decode_inline(
     struct mip_sensor_pps_timestamp *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x0F, 8);
+    mip_error error = mip_field_check(field, 0x80, 0x0F, 8);
+    if ((error == MIP_OK || error == MIP_ERROR_TRUNCATED) &&
+        !mip_codec_matches(&mip_sensor_pps_timestamp_codec, field)) {
+        error = MIP_ERROR_LAYOUT;
+    }
     if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1071,6 +1094,89 @@ static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     }
     mip_put_32(data, value->seconds);
     mip_put_32(data + 4, value->useconds);
+    return MIP_OK;
+}
+
+/**
+ * PPS timestamp with flags: data (0x80,0x0F).
+ *
+ * Time counted by the pulse per second, with its state and nanoseconds.
+ *
+ * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished
+ * from mip_sensor_pps_timestamp by the size of its data. Not listed in any device profile. Known
+ * only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
+ * send it. The SDK of 2014 is of the time of the 3DM-GX3 devices. Uncertain: The epoch.
+ *
+ * The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+ *
+ * - mscl: 1PPS Timestamp (0x80,0x0F)
+ * - mip-sdk-2014: 1PPS Timestamp (0x80,0x0F)
+ */
+struct mip_sensor_pps_timestamp_with_flags {
+    /** State of the time. Uncertain: The meaning of the bits, which no source states. */
+    uint8_t flags;
+    /** Whole seconds. Unit: s. */
+    uint32_t seconds;
+    /** Fraction of the second. Unit: ns. */
+    uint32_t nanoseconds;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS 0x800F
+/** Its descriptor. */
+#define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS_DESCRIPTOR 0x0F
+/** Its name in the specification. */
+#define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS_NAME "sensor.pps_timestamp_with_flags"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_pps_timestamp_with_flags_decode(
+    struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_pps_timestamp_with_flags_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
+    const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_pps_timestamp_with_flags_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
+    struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
+    mip_error error = mip_field_check(field, 0x80, 0x0F, 9);
+    if ((error == MIP_OK || error == MIP_ERROR_TRUNCATED) &&
+        !mip_codec_matches(&mip_sensor_pps_timestamp_with_flags_codec, field)) {
+        error = MIP_ERROR_LAYOUT;
+    }
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->flags = mip_get_8(field->data);
+    value->seconds = mip_get_32(field->data + 1);
+    value->nanoseconds = mip_get_32(field->data + 5);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
+    const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->flags);
+    mip_put_32(data + 1, value->seconds);
+    mip_put_32(data + 5, value->nanoseconds);
     return MIP_OK;
 }
 

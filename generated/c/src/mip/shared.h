@@ -528,7 +528,15 @@ static inline mip_error mip_shared_reference_time_delta_encode_inline(
  *
  * It becomes valid when the external clock is synchronized through the PPS.
  *
+ * Its epoch is that of the time that you send with mip_base_gps_time_update. It is GPS time in most
+ * systems, but may be another, such as Unix time. Use mip_shared_gps_timestamp for GPS time only.
+ *
+ * With a receiver as the source of the PPS (mip_3dm_pps_source_control), it is GPS time, and valid
+ * only while that receiver has a fix.
+ *
  * - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
+ * - 3dm-cv7-gnss-ins: Timestamps
+ * - 3dm-cv7-gnss-ins: RECEIVER Source
  */
 struct mip_shared_external_timestamp {
     /**

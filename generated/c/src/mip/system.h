@@ -35,6 +35,8 @@ typedef uint32_t mip_system_comm_protocols;
 #define MIP_SYSTEM_COMM_PROTOCOLS_RTCM UINT32_C(0x00000200)
 /** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
+/** Bit 29. SBF, the binary format of Septentrio receivers. */
+#define MIP_SYSTEM_COMM_PROTOCOLS_SBF UINT32_C(0x20000000)
 /** Which part of the device the host communicates with, and by which protocol. */
 enum mip_system_protocol_mode MIP_ENUM_8 {
     /** The device itself, MIP. */

@@ -621,8 +621,9 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     /** Active while the pin is low. The pin needs the gpio feature. */
     MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW = 2,
     /**
-     * Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
-     * selects the edge.
+     * Active for one event cycle after an edge. Each edge is a new activation, but actions run once
+     * per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp
+     * feature, whose behavior selects the edge.
      */
     MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
 };
@@ -681,28 +682,48 @@ struct mip_event_trigger_gpio {
     uint8_t mode;
 };
 
-/** Two thresholds with a window between them. */
+/**
+ * Two thresholds with a window between them.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ * - mip-sdk-4: Event Trigger (0x0C,0x2E)
+ */
 struct mip_event_threshold_window {
-    /** Lower threshold, in the unit of the watched value. */
+    /**
+     * Lower threshold, in the unit of the watched value.
+     *
+     * The SDK calls it the first threshold.
+     */
     double low_threshold;
     /**
      * Upper threshold, in the unit of the watched value. The trigger is active from the lower
      * threshold to the upper one, both included. If the upper one is below the lower one, it is
      * active below the upper and above the lower one, both excluded.
+     *
+     * The SDK calls it the second threshold.
      */
     double high_threshold;
 };
 
-/** A threshold inside a repeating interval. */
+/**
+ * A threshold inside a repeating interval.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ * - mip-sdk-4: Event Trigger (0x0C,0x2E)
+ */
 struct mip_event_threshold_interval {
     /**
      * The trigger is active while the remainder is at most this, in the unit of the watched value.
+     *
+     * The SDK calls it the first threshold.
      */
     double interval_threshold;
     /**
      * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
      * two swap roles: the trigger is active while the value modulo `interval_threshold` is above
      * this.
+     *
+     * The SDK calls it the second threshold.
      */
     double interval;
 };
@@ -1105,6 +1126,8 @@ typedef uint8_t mip_gpio_pin_mode;
  * An NMEA-0183 sentence that a device can send.
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+ * - 3dm-cv7-gnss-ins: PMSRA - Euler Angles
+ * - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
  */
 enum mip_nmea_message_id MIP_ENUM_8 {
     /** GNSS fix. From a GNSS or the filter data set. */
@@ -1123,9 +1146,15 @@ enum mip_nmea_message_id MIP_ENUM_8 {
     MIP_NMEA_MESSAGE_ID_ZDA = 7,
     /** GNSS error statistics. From a GNSS or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GST = 8,
-    /** Proprietary PMSRA: Euler angles. From the filter data set. */
+    /**
+     * Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+     * degrees with three decimals. From the filter data set.
+     */
     MIP_NMEA_MESSAGE_ID_MSRA = 129,
-    /** Proprietary PMSRR: acceleration and angular rate. From the sensor data set. */
+    /**
+     * Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and
+     * angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set.
+     */
     MIP_NMEA_MESSAGE_ID_MSRR = 130
 };
 
@@ -1182,9 +1211,9 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_MAIN = 1,
     /** The first port that is a UART or can be one. */
     MIP_COMM_INTERFACE_UART_1 = 17,
-    /** The second UART. */
+    /** The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models. */
     MIP_COMM_INTERFACE_UART_2 = 18,
-    /** The third UART. */
+    /** The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models. */
     MIP_COMM_INTERFACE_UART_3 = 19,
     /** First virtual serial port of USB. */
     MIP_COMM_INTERFACE_USB_1 = 33,

@@ -53,8 +53,8 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.latitude",), frame="llh", flags=(Flag("valid_flags.latitude", "valid_flags", 0x1),)),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.longitude",), frame="llh", flags=(Flag("valid_flags.longitude", "valid_flags", 0x2),)),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.latitude",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.latitude", "valid_flags", 0x1),)),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.longitude",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.longitude", "valid_flags", 0x2),)),
             Parameter("height", "height", "scalar", scalar="double", units=("m",), valid=("valid_flags.height",), frame="llh", flags=(Flag("valid_flags.height", "valid_flags", 0x4),)),
             Parameter("uncertainty", "uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m",), valid=("valid_flags.latitude", "valid_flags.longitude", "valid_flags.height"), frame="ned", above=0, flags=(Flag("valid_flags.latitude", "valid_flags", 0x1), Flag("valid_flags.longitude", "valid_flags", 0x2), Flag("valid_flags.height", "valid_flags", 0x4))),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.LlhAxisFlags),

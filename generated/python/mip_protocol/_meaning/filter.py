@@ -50,6 +50,12 @@ TYPES: dict[str, Info] = {
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
         ),
     ),
+    "SetInitialAttitudeFromImu": FieldInfo(
+        "filter.set_initial_attitude_from_imu", filter.SetInitialAttitudeFromImu, perhaps=("3dm-gx3-45",),
+        parameters=(
+            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
+        ),
+    ),
     "Run": FieldInfo(
         "filter.run", filter.Run, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
@@ -104,8 +110,8 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh"),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), minimum=-90, maximum=90, frame="llh"),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), minimum=-180, maximum=180, frame="llh"),
             Parameter("height", "height", "scalar", scalar="double", units=("m",), frame="llh"),
             Parameter("velocity", "velocity", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned"),
             Parameter("position_uncertainty", "position_uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m",), frame="ned"),
@@ -212,8 +218,8 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh", required=("write",)),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh", required=("write",)),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), minimum=-90, maximum=90, frame="llh", required=("write",)),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), minimum=-180, maximum=180, frame="llh", required=("write",)),
             Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",), required=("write",)),
         ),
     ),
@@ -552,8 +558,8 @@ TYPES: dict[str, Info] = {
         "filter.reference_position_response", filter.ReferencePositionResponse, devices=("3dm-gx5-15",),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh"),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), minimum=-90, maximum=90, frame="llh"),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), minimum=-180, maximum=180, frame="llh"),
             Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
         ),
     ),

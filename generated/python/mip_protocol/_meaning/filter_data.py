@@ -28,8 +28,8 @@ TYPES: dict[str, Info] = {
     "LlhPosition": FieldInfo(
         "filter_data.llh_position", filter_data.LlhPosition, devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.valid",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.valid",), frame="llh", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),

@@ -19,6 +19,9 @@ TYPES: dict[str, Info] = {
     "GlonassSignals": BitsInfo("gnss.glonass_signals", gnss.GlonassSignals),
     "GalileoSignals": BitsInfo("gnss.galileo_signals", gnss.GalileoSignals),
     "BeidouSignals": BitsInfo("gnss.beidou_signals", gnss.BeidouSignals),
+    "ReceiverId": EnumInfo("gnss.receiver_id", gnss.ReceiverId),
+    "ReceiverResetType": EnumInfo("gnss.receiver_reset_type", gnss.ReceiverResetType),
+    "AmbiguityFixMode": EnumInfo("gnss.ambiguity_fix_mode", gnss.AmbiguityFixMode),
     "SpartnConnection": EnumInfo("gnss.spartn_connection", gnss.SpartnConnection),
     "ReceiverInfo": FieldInfo(
         "gnss.receiver_info", gnss.ReceiverInfo, devices=("3dm-cv7-gnss-ins",),
@@ -33,6 +36,21 @@ TYPES: dict[str, Info] = {
             Parameter("glonass_enable", "glonass_enable", "scalar", scalar="u8", required=("write",), type=gnss.GlonassSignals),
             Parameter("galileo_enable", "galileo_enable", "scalar", scalar="u8", required=("write",), type=gnss.GalileoSignals),
             Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", required=("write",), type=gnss.BeidouSignals),
+            Parameter("reserved", "reserved", "array", scalar="u8", length=4, required=("write",), reserved=True, default=0),
+        ),
+    ),
+    "ReceiverReset": FieldInfo(
+        "gnss.receiver_reset", gnss.ReceiverReset,
+        parameters=(
+            Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", type=gnss.ReceiverId),
+            Parameter("reset_type", "reset_type", "scalar", scalar="u8", type=gnss.ReceiverResetType),
+        ),
+    ),
+    "RtkConfig": FieldInfo(
+        "gnss.rtk_config", gnss.RtkConfig, functions=("write", "read", "save", "load", "default"),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("ambiguity_fix_mode", "ambiguity_fix_mode", "scalar", scalar="u8", required=("write",), type=gnss.AmbiguityFixMode),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, required=("write",), reserved=True, default=0),
         ),
     ),
@@ -72,6 +90,13 @@ TYPES: dict[str, Info] = {
             Parameter("glonass_enable", "glonass_enable", "scalar", scalar="u8", type=gnss.GlonassSignals),
             Parameter("galileo_enable", "galileo_enable", "scalar", scalar="u8", type=gnss.GalileoSignals),
             Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
+            Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
+        ),
+    ),
+    "RtkConfigResponse": FieldInfo(
+        "gnss.rtk_config_response", gnss.RtkConfigResponse,
+        parameters=(
+            Parameter("ambiguity_fix_mode", "ambiguity_fix_mode", "scalar", scalar="u8", type=gnss.AmbiguityFixMode),
             Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
         ),
     ),

@@ -38,6 +38,8 @@ TYPES: dict[str, Info] = {
     "JammingState": EnumInfo("gnss_data.jamming_state", gnss_data.JammingState),
     "SpoofingState": EnumInfo("gnss_data.spoofing_state", gnss_data.SpoofingState),
     "RfErrorDetectionFlags": BitsInfo("gnss_data.rf_error_detection_flags", gnss_data.RfErrorDetectionFlags, aliases=("flags",)),
+    "HeadingFixType": EnumInfo("gnss_data.heading_fix_type", gnss_data.HeadingFixType),
+    "HeadingFlags": BitsInfo("gnss_data.heading_flags", gnss_data.HeadingFlags, aliases=("flags",)),
     "SatelliteStatusFlags": BitsInfo("gnss_data.satellite_status_flags", gnss_data.SatelliteStatusFlags, aliases=("flags",)),
     "SignalQuality": EnumInfo("gnss_data.signal_quality", gnss_data.SignalQuality),
     "RawFlags": BitsInfo("gnss_data.raw_flags", gnss_data.RawFlags, aliases=("flags",)),
@@ -54,8 +56,8 @@ TYPES: dict[str, Info] = {
     "LlhPosition": FieldInfo(
         "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.ellipsoid_height",), frame="llh", flags=(Flag("valid_flags.ellipsoid_height", "valid_flags", 0x2),)),
             Parameter("msl_height", "msl_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.msl_height",), flags=(Flag("valid_flags.msl_height", "valid_flags", 0x4),)),
             Parameter("horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.horizontal_accuracy",), flags=(Flag("valid_flags.horizontal_accuracy", "valid_flags", 0x8),)),
@@ -174,6 +176,16 @@ TYPES: dict[str, Info] = {
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
         ),
     ),
+    "DgpsInfoSatellite": FieldInfo(
+        "gnss_data.dgps_info_satellite", gnss_data.DgpsInfoSatellite,
+        parameters=(
+            Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+            Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
+            Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
+            Parameter("range_rate_correction", "range_rate_correction", "scalar", scalar="float", units=("m/s",)),
+            Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
+        ),
+    ),
     "DgpsChannel": FieldInfo(
         "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), perhaps=("3dm-gx5-35",),
         parameters=(
@@ -234,8 +246,18 @@ TYPES: dict[str, Info] = {
             Parameter("rf_band", "rf_band", "scalar", scalar="u8", valid=("valid_flags.rf_band",), type=gnss_data.RfBand, flags=(Flag("valid_flags.rf_band", "valid_flags", 0x1),)),
             Parameter("jamming_state", "jamming_state", "scalar", scalar="u8", valid=("valid_flags.jamming_state",), type=gnss_data.JammingState, flags=(Flag("valid_flags.jamming_state", "valid_flags", 0x2),)),
             Parameter("spoofing_state", "spoofing_state", "scalar", scalar="u8", valid=("valid_flags.spoofing_state",), type=gnss_data.SpoofingState, flags=(Flag("valid_flags.spoofing_state", "valid_flags", 0x4),)),
-            Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
+            Parameter("frequency", "frequency", "scalar", scalar="u16", units=("MHz",), valid=("valid_flags.frequency",), flags=(Flag("valid_flags.frequency", "valid_flags", 0x8),)),
+            Parameter("reserved", "reserved", "array", scalar="u8", length=2, reserved=True, default=0),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RfErrorDetectionFlags),
+        ),
+    ),
+    "Heading": FieldInfo(
+        "gnss_data.heading", gnss_data.Heading,
+        parameters=(
+            Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), flags=(Flag("valid_flags.heading", "valid_flags", 0x1),)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("deg",), valid=("valid_flags.uncertainty",), flags=(Flag("valid_flags.uncertainty", "valid_flags", 0x2),)),
+            Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=gnss_data.HeadingFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x4),)),
+            Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.HeadingFlags),
         ),
     ),
     "SatelliteStatus": FieldInfo(

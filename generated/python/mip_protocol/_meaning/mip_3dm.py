@@ -40,12 +40,19 @@ TYPES: dict[str, Info] = {
             Parameter("action_type", "action_type", "scalar", scalar="u8", type=types.EventActionType),
             Parameter("trigger_id", "trigger_id", "scalar", scalar="u8"),
         )),
+    "ReceiverDynamics": EnumInfo("3dm.receiver_dynamics", mip_3dm.ReceiverDynamics),
+    "DataConditioningFlags": BitsInfo("3dm.data_conditioning_flags", mip_3dm.DataConditioningFlags),
+    "MagBandwidth": EnumInfo("3dm.mag_bandwidth", mip_3dm.MagBandwidth),
+    "ImuTimestampSelector": EnumInfo("3dm.imu_timestamp_selector", mip_3dm.ImuTimestampSelector),
     "OdometerMode": EnumInfo("3dm.odometer_mode", mip_3dm.OdometerMode),
     "SensorRangeType": EnumInfo("3dm.sensor_range_type", mip_3dm.SensorRangeType),
     "SensorRangeEntry": StructureInfo("3dm.sensor_range_entry", mip_3dm.SensorRangeEntry, (
             Parameter("setting", "setting", "scalar", scalar="u8"),
             Parameter("range", "range", "scalar", scalar="float"),
         )),
+    "InternalSensor": EnumInfo("3dm.internal_sensor", mip_3dm.InternalSensor),
+    "StreamFormat": EnumInfo("3dm.stream_format", mip_3dm.StreamFormat),
+    "SensorPowerState": EnumInfo("3dm.sensor_power_state", mip_3dm.SensorPowerState),
     "DeviceStatusSelector": EnumInfo("3dm.device_status_selector", mip_3dm.DeviceStatusSelector),
     "LegacyDataStream": EnumInfo("3dm.legacy_data_stream", mip_3dm.LegacyDataStream),
     "PollImuData": FieldInfo(
@@ -166,6 +173,12 @@ TYPES: dict[str, Info] = {
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
+    "RawRtcm2_3Message": FieldInfo(
+        "3dm.raw_rtcm_2_3_message", mip_3dm.RawRtcm2_3Message, devices=("3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        parameters=(
+            Parameter("data", "data", "array", scalar="u8", length="rest"),
+        ),
+    ),
     "ConstellationSettings": FieldInfo(
         "3dm.constellation_settings", mip_3dm.ConstellationSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-gx5-45",),
         parameters=(
@@ -283,6 +296,35 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("dcm", "dcm", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), required=("write",)),
+        ),
+    ),
+    "GpsDynamicsMode": FieldInfo(
+        "3dm.gps_dynamics_mode", mip_3dm.GpsDynamicsMode, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("mode", "mode", "scalar", scalar="u8", required=("write",), type=mip_3dm.ReceiverDynamics),
+        ),
+    ),
+    "ImuSignalConditioning": FieldInfo(
+        "3dm.imu_signal_conditioning", mip_3dm.ImuSignalConditioning, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("orientation_decimation", "orientation_decimation", "scalar", scalar="u16", units=("1",), minimum=1, maximum=1000, required=("write",)),
+            Parameter("data_conditioning_flags", "data_conditioning_flags", "scalar", scalar="u16", default=3, required=("write",), type=mip_3dm.DataConditioningFlags),
+            Parameter("inertial_filter_width", "inertial_filter_width", "scalar", scalar="u8", units=("1",), minimum=1, maximum=32, default=15, required=("write",)),
+            Parameter("mag_filter_width", "mag_filter_width", "scalar", scalar="u8", units=("1",), minimum=1, maximum=32, default=17, required=("write",)),
+            Parameter("up_compensation", "up_compensation", "scalar", scalar="u16", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
+            Parameter("north_compensation", "north_compensation", "scalar", scalar="u16", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
+            Parameter("mag_bandwidth", "mag_bandwidth", "scalar", scalar="u8", required=("write",), type=mip_3dm.MagBandwidth),
+            Parameter("reserved", "reserved", "scalar", scalar="u16", required=("write",), reserved=True, default=0),
+        ),
+    ),
+    "ImuTimestamp": FieldInfo(
+        "3dm.imu_timestamp", mip_3dm.ImuTimestamp, functions=("write", "read"), perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("selector", "selector", "scalar", scalar="u8", required=("write", "read"), type=mip_3dm.ImuTimestampSelector),
+            Parameter("time", "time", "scalar", scalar="u32", required=("write",)),
         ),
     ),
     "AccelBias": FieldInfo(
@@ -406,6 +448,28 @@ TYPES: dict[str, Info] = {
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
         ),
     ),
+    "DataStreamFormat": FieldInfo(
+        "3dm.data_stream_format", mip_3dm.DataStreamFormat, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("stream", "stream", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), type=mip_3dm.InternalSensor),
+            Parameter("format", "format", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), type=mip_3dm.StreamFormat),
+        ),
+    ),
+    "DevicePowerState": FieldInfo(
+        "3dm.device_power_state", mip_3dm.DevicePowerState, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("device", "device", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), type=mip_3dm.InternalSensor),
+            Parameter("state", "state", "scalar", scalar="u8", required=("write",), type=mip_3dm.SensorPowerState),
+        ),
+    ),
+    "GpsAdvancedSettings": FieldInfo(
+        "3dm.gps_advanced_settings", mip_3dm.GpsAdvancedSettings, functions=("save", "load", "default"), perhaps=("3dm-gx3-35",), advanced=True,
+        parameters=(
+            Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        ),
+    ),
     "DeviceStatus": FieldInfo(
         "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"), advanced=True,
         parameters=(
@@ -453,10 +517,37 @@ TYPES: dict[str, Info] = {
             Parameter("enabled", "enabled", "scalar", scalar="bool"),
         ),
     ),
+    "ImuSignalConditioningResponse": FieldInfo(
+        "3dm.imu_signal_conditioning_response", mip_3dm.ImuSignalConditioningResponse, perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("orientation_decimation", "orientation_decimation", "scalar", scalar="u16", units=("1",), minimum=1, maximum=1000),
+            Parameter("data_conditioning_flags", "data_conditioning_flags", "scalar", scalar="u16", default=3, type=mip_3dm.DataConditioningFlags),
+            Parameter("inertial_filter_width", "inertial_filter_width", "scalar", scalar="u8", units=("1",), minimum=1, maximum=32, default=15),
+            Parameter("mag_filter_width", "mag_filter_width", "scalar", scalar="u8", units=("1",), minimum=1, maximum=32, default=17),
+            Parameter("up_compensation", "up_compensation", "scalar", scalar="u16", units=("s",), minimum=1, maximum=1000, default=10),
+            Parameter("north_compensation", "north_compensation", "scalar", scalar="u16", units=("s",), minimum=1, maximum=1000, default=10),
+            Parameter("mag_bandwidth", "mag_bandwidth", "scalar", scalar="u8", type=mip_3dm.MagBandwidth),
+            Parameter("reserved", "reserved", "scalar", scalar="u16", reserved=True, default=0),
+        ),
+    ),
     "UartBaudRateResponse": FieldInfo(
         "3dm.uart_baud_rate_response", mip_3dm.UartBaudRateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
         parameters=(
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
+        ),
+    ),
+    "DataStreamFormatResponse": FieldInfo(
+        "3dm.data_stream_format_response", mip_3dm.DataStreamFormatResponse, perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("stream", "stream", "scalar", scalar="u8", type=mip_3dm.InternalSensor),
+            Parameter("format", "format", "scalar", scalar="u8", type=mip_3dm.StreamFormat),
+        ),
+    ),
+    "DevicePowerStateResponse": FieldInfo(
+        "3dm.device_power_state_response", mip_3dm.DevicePowerStateResponse, perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("device", "device", "scalar", scalar="u8", type=mip_3dm.InternalSensor),
+            Parameter("state", "state", "scalar", scalar="u8", type=mip_3dm.SensorPowerState),
         ),
     ),
     "GetFilterBaseRateResponse": FieldInfo(
@@ -680,6 +771,19 @@ TYPES: dict[str, Info] = {
             Parameter("comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)),
             Parameter("comm_port_write_overruns", "comm_port_write_overruns", "scalar", scalar="u32", units=("1",)),
             Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
+        ),
+    ),
+    "GpsDynamicsModeResponse": FieldInfo(
+        "3dm.gps_dynamics_mode_response", mip_3dm.GpsDynamicsModeResponse, perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.ReceiverDynamics),
+        ),
+    ),
+    "ImuTimestampResponse": FieldInfo(
+        "3dm.imu_timestamp_response", mip_3dm.ImuTimestampResponse, perhaps=("3dm-gx3-35",),
+        parameters=(
+            Parameter("selector", "selector", "scalar", scalar="u8", type=mip_3dm.ImuTimestampSelector),
+            Parameter("time", "time", "scalar", scalar="u32"),
         ),
     ),
     "ComplementaryFilterResponse": FieldInfo(

@@ -105,6 +105,14 @@ TYPES: dict[str, Info] = {
             Parameter("useconds", "useconds", "scalar", scalar="u32", units=("us",)),
         ),
     ),
+    "PpsTimestampWithFlags": FieldInfo(
+        "sensor.pps_timestamp_with_flags", sensor.PpsTimestampWithFlags, deprecated=True,
+        parameters=(
+            Parameter("flags", "flags", "scalar", scalar="u8"),
+            Parameter("seconds", "seconds", "scalar", scalar="u32", units=("s",)),
+            Parameter("nanoseconds", "nanoseconds", "scalar", scalar="u32", units=("ns",)),
+        ),
+    ),
     "NorthVector": FieldInfo(
         "sensor.north_vector", sensor.NorthVector, devices=("3dm-gx5-15",), perhaps=("3dm-gx5-35", "3dm-gx5-45"),
         parameters=(

@@ -1768,6 +1768,7 @@ pub static GQ4_45: Profile = Profile {
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0B "3dm.get_filter_base_rate" [] None;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] None;
         0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
@@ -2176,7 +2177,8 @@ pub static GX3_25: Profile = Profile {
 /// Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
 /// known. The SDK gives only its name and number.
 ///
-/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+/// Source: mip-sdk-4: Device models; mscl: MIP node features; mip-sdk-2014: Example of the
+/// 3DM-GX3-35.
 #[rustfmt::skip]
 pub static GX3_35: Profile = Profile {
     id: "3dm-gx3-35",
@@ -2196,6 +2198,12 @@ pub static GX3_35: Profile = Profile {
         0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
         0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x34 "3dm.gps_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("The SDK of 2014 has an example for this device.");
+        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] Some("The SDK of 2014 has an example for this device.");
+        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] Some("The SDK of 2014 has an example for this device.");
+        0x0C 0x60 "3dm.data_stream_format" [WRITE READ SAVE LOAD DEFAULT] Some("The SDK of 2014 has an example for this device.");
+        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] Some("The SDK of 2014 has an example for this device.");
+        0x0C 0x62 "3dm.gps_advanced_settings" [SAVE LOAD DEFAULT] Some("The SDK of 2014 has an example for this device.");
     },
     base_rates: &[
     ],
@@ -2226,7 +2234,8 @@ pub static GX3_35: Profile = Profile {
 /// Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
 /// known. The SDK gives only its name and number.
 ///
-/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+/// Source: mip-sdk-4: Device models; mscl: MIP node features; mip-sdk-2014: Example of the
+/// 3DM-GX3-45.
 #[rustfmt::skip]
 pub static GX3_45: Profile = Profile {
     id: "3dm-gx3-45",
@@ -2246,6 +2255,7 @@ pub static GX3_45: Profile = Profile {
         0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
         0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x04 "filter.set_initial_attitude_from_imu" [] Some("The SDK of 2014 has an example for this device.");
         0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
@@ -3202,6 +3212,7 @@ pub static GX5_45: Profile = Profile {
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0B "3dm.get_filter_base_rate" [] None;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] None;
         0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
@@ -3478,6 +3489,7 @@ pub static RQ1_45_LT: Profile = Profile {
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0B "3dm.get_filter_base_rate" [] None;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] None;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
         0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
@@ -3598,6 +3610,7 @@ pub static RQ1_45_ST: Profile = Profile {
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0B "3dm.get_filter_base_rate" [] None;
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] None;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
         0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;

@@ -287,6 +287,13 @@ registry! {
                 "descriptor_set";
                 "enable";
             };
+        /// Raw RTCM 2.3 message (0x0C,0x20).
+        Mip3dmRawRtcm2_3Message(crate::mip_3dm::RawRtcm2_3Message):
+            Command 0x20, of 1,
+            "3dm.raw_rtcm_2_3_message", "Raw RTCM 2.3 message",
+            [], {
+                "data";
+            };
         /// Constellation Settings (0x0C,0x21).
         Mip3dmConstellationSettings(crate::mip_3dm::ConstellationSettings):
             Command 0x21, of 1,
@@ -458,6 +465,38 @@ registry! {
                 "function";
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
+        /// GPS dynamics mode (0x0C,0x34).
+        Mip3dmGpsDynamicsMode(crate::mip_3dm::GpsDynamicsMode):
+            Command 0x34, of 1,
+            "3dm.gps_dynamics_mode", "GPS dynamics mode",
+            ["3dm.gps_dynamics_mode_response"], {
+                "function";
+                "mode";
+            };
+        /// IMU signal conditioning (0x0C,0x35).
+        Mip3dmImuSignalConditioning(crate::mip_3dm::ImuSignalConditioning):
+            Command 0x35, of 1,
+            "3dm.imu_signal_conditioning", "IMU signal conditioning",
+            ["3dm.imu_signal_conditioning_response"], {
+                "function";
+                "orientation_decimation" in ["1"];
+                "data_conditioning_flags";
+                "inertial_filter_width" in ["1"];
+                "mag_filter_width" in ["1"];
+                "up_compensation" in ["s"];
+                "north_compensation" in ["s"];
+                "mag_bandwidth";
+                "reserved";
+            };
+        /// IMU timestamp (0x0C,0x36).
+        Mip3dmImuTimestamp(crate::mip_3dm::ImuTimestamp):
+            Command 0x36, of 1,
+            "3dm.imu_timestamp", "IMU timestamp",
+            ["3dm.imu_timestamp_response"], {
+                "function";
+                "selector";
+                "time";
+            };
         /// Accelerometer Bias Configuration (0x0C,0x37).
         Mip3dmAccelBias(crate::mip_3dm::AccelBias):
             Command 0x37, of 1,
@@ -594,6 +633,31 @@ registry! {
                 "manual";
                 "frequency" in ["Hz"];
             };
+        /// Data stream format (0x0C,0x60).
+        Mip3dmDataStreamFormat(crate::mip_3dm::DataStreamFormat):
+            Command 0x60, of 1,
+            "3dm.data_stream_format", "Data stream format",
+            ["3dm.data_stream_format_response"], {
+                "function";
+                "stream";
+                "format";
+            };
+        /// Device power state (0x0C,0x61).
+        Mip3dmDevicePowerState(crate::mip_3dm::DevicePowerState):
+            Command 0x61, of 1,
+            "3dm.device_power_state", "Device power state",
+            ["3dm.device_power_state_response"], {
+                "function";
+                "device";
+                "state";
+            };
+        /// GPS advanced settings (0x0C,0x62).
+        Mip3dmGpsAdvancedSettings(crate::mip_3dm::GpsAdvancedSettings):
+            Command 0x62, of 1,
+            "3dm.gps_advanced_settings", "GPS advanced settings",
+            [], {
+                "function";
+            };
         /// Device Status (0x0C,0x64).
         Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
             Command 0x64, of 1,
@@ -654,12 +718,42 @@ registry! {
                 "descriptor_set";
                 "enabled";
             };
+        /// IMU signal conditioning response (0x0C,0x86).
+        Mip3dmImuSignalConditioningResponse(crate::mip_3dm::ImuSignalConditioningResponse):
+            Response 0x86, of 1,
+            "3dm.imu_signal_conditioning_response", "IMU signal conditioning response",
+            ["3dm.imu_signal_conditioning"], {
+                "orientation_decimation" in ["1"];
+                "data_conditioning_flags";
+                "inertial_filter_width" in ["1"];
+                "mag_filter_width" in ["1"];
+                "up_compensation" in ["s"];
+                "north_compensation" in ["s"];
+                "mag_bandwidth";
+                "reserved";
+            };
         /// UART Baud Rate response (0x0C,0x87).
         Mip3dmUartBaudRateResponse(crate::mip_3dm::UartBaudRateResponse):
             Response 0x87, of 1,
             "3dm.uart_baud_rate_response", "UART Baud Rate response",
             ["3dm.uart_baud_rate"], {
                 "baud" in ["Bd"];
+            };
+        /// Data stream format response (0x0C,0x88).
+        Mip3dmDataStreamFormatResponse(crate::mip_3dm::DataStreamFormatResponse):
+            Response 0x88, of 1,
+            "3dm.data_stream_format_response", "Data stream format response",
+            ["3dm.data_stream_format"], {
+                "stream";
+                "format";
+            };
+        /// Device power state response (0x0C,0x89).
+        Mip3dmDevicePowerStateResponse(crate::mip_3dm::DevicePowerStateResponse):
+            Response 0x89, of 1,
+            "3dm.device_power_state_response", "Device power state response",
+            ["3dm.device_power_state"], {
+                "device";
+                "state";
             };
         /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
         Mip3dmGetFilterBaseRateResponse(crate::mip_3dm::GetFilterBaseRateResponse):
@@ -894,6 +988,21 @@ registry! {
                 "comm_port_bytes_read" in ["byte"];
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
+            };
+        /// GPS dynamics mode response (0x0C,0x92).
+        Mip3dmGpsDynamicsModeResponse(crate::mip_3dm::GpsDynamicsModeResponse):
+            Response 0x92, of 1,
+            "3dm.gps_dynamics_mode_response", "GPS dynamics mode response",
+            ["3dm.gps_dynamics_mode"], {
+                "mode";
+            };
+        /// IMU timestamp response (0x0C,0x93).
+        Mip3dmImuTimestampResponse(crate::mip_3dm::ImuTimestampResponse):
+            Response 0x93, of 1,
+            "3dm.imu_timestamp_response", "IMU timestamp response",
+            ["3dm.imu_timestamp"], {
+                "selector";
+                "time";
             };
         /// Complementary Filter Configuration response (0x0C,0x97).
         Mip3dmComplementaryFilterResponse(crate::mip_3dm::ComplementaryFilterResponse):
@@ -1185,6 +1294,13 @@ registry! {
             "filter.set_initial_heading", "Set initial heading",
             [], {
                 "heading" in ["rad"] of "ned";
+            };
+        /// Set initial attitude from IMU (0x0D,0x04).
+        FilterSetInitialAttitudeFromImu(crate::filter::SetInitialAttitudeFromImu):
+            Command 0x04, of 1,
+            "filter.set_initial_attitude_from_imu", "Set initial attitude from IMU",
+            [], {
+                "declination" in ["rad"];
             };
         /// Run navigation filter (0x0D,0x05).
         FilterRun(crate::filter::Run):
@@ -2009,6 +2125,23 @@ registry! {
                 "beidou_enable";
                 "reserved";
             };
+        /// Receiver reset (0x0E,0x03).
+        GnssReceiverReset(crate::gnss::ReceiverReset):
+            Command 0x03, of 1,
+            "gnss.receiver_reset", "Receiver reset",
+            [], {
+                "receiver_id";
+                "reset_type";
+            };
+        /// RTK configuration (0x0E,0x04).
+        GnssRtkConfig(crate::gnss::RtkConfig):
+            Command 0x04, of 1,
+            "gnss.rtk_config", "RTK configuration",
+            ["gnss.rtk_config_response"], {
+                "function";
+                "ambiguity_fix_mode";
+                "reserved";
+            };
         /// RTK dongle configuration (0x0E,0x10).
         GnssRtkDongleConfig(crate::gnss::RtkDongleConfig):
             Command 0x10, of 1,
@@ -2053,6 +2186,14 @@ registry! {
                 "glonass_enable";
                 "galileo_enable";
                 "beidou_enable";
+                "reserved";
+            };
+        /// RTK configuration response (0x0E,0x84).
+        GnssRtkConfigResponse(crate::gnss::RtkConfigResponse):
+            Response 0x84, of 1,
+            "gnss.rtk_config_response", "RTK configuration response",
+            ["gnss.rtk_config"], {
+                "ambiguity_fix_mode";
                 "reserved";
             };
         /// RTK dongle configuration response (0x0E,0x90).
@@ -2547,11 +2688,20 @@ registry! {
             };
         /// PPS timestamp (0x80,0x0F).
         SensorPpsTimestamp(crate::sensor::PpsTimestamp):
-            Data 0x0F, of 1,
+            Data 0x0F, of 2,
             "sensor.pps_timestamp", "PPS timestamp",
             [], {
                 "seconds" in ["s"];
                 "useconds" in ["us"];
+            };
+        /// PPS timestamp with flags (0x80,0x0F).
+        SensorPpsTimestampWithFlags(crate::sensor::PpsTimestampWithFlags):
+            Data 0x0F, of 2,
+            "sensor.pps_timestamp_with_flags", "PPS timestamp with flags",
+            [], {
+                "flags";
+                "seconds" in ["s"];
+                "nanoseconds" in ["ns"];
             };
         /// Complementary filter stabilized north vector (0x80,0x10).
         SensorNorthVector(crate::sensor::NorthVector):
@@ -2832,7 +2982,7 @@ registry! {
             };
         /// DGPS info (0x0E).
         GnssDataDgpsInfo(crate::gnss_data::DgpsInfo):
-            Data 0x0E, of 1,
+            Data 0x0E, of 2,
             "gnss_data.dgps_info", "DGPS info",
             {
                 0x81 "gnss_data.dgps_info",
@@ -2847,6 +2997,25 @@ registry! {
                 "base_station_id";
                 "base_station_status";
                 "num_channels" in ["1"];
+                "valid_flags";
+            };
+        /// DGPS info with a satellite (0x0E).
+        GnssDataDgpsInfoSatellite(crate::gnss_data::DgpsInfoSatellite):
+            Data 0x0E, of 2,
+            "gnss_data.dgps_info_satellite", "DGPS info with a satellite",
+            {
+                0x81 "gnss_data.dgps_info_satellite",
+                0x91 "gnss_1.dgps_info_satellite",
+                0x92 "gnss_2.dgps_info_satellite",
+                0x93 "gnss_corrections.dgps_info_satellite",
+                0x94 "gnss_external.dgps_info_satellite",
+                0x95 "gnss_external_2.dgps_info_satellite",
+            }
+            [], {
+                "satellite_id";
+                "age" in ["s"];
+                "range_correction" in ["m"];
+                "range_rate_correction" in ["m/s"];
                 "valid_flags";
             };
         /// DGPS channel (0x0F).
@@ -2964,7 +3133,26 @@ registry! {
                 "rf_band";
                 "jamming_state";
                 "spoofing_state";
+                "frequency" in ["MHz"];
                 "reserved";
+                "valid_flags";
+            };
+        /// GNSS heading (0x15).
+        GnssDataHeading(crate::gnss_data::Heading):
+            Data 0x15, of 1,
+            "gnss_data.heading", "GNSS heading",
+            {
+                0x81 "gnss_data.heading",
+                0x91 "gnss_1.heading",
+                0x92 "gnss_2.heading",
+                0x93 "gnss_corrections.heading",
+                0x94 "gnss_external.heading",
+                0x95 "gnss_external_2.heading",
+            }
+            [], {
+                "heading" in ["deg"];
+                "uncertainty" in ["deg"];
+                "fix_type";
                 "valid_flags";
             };
         /// Satellite status (0x20).
@@ -3810,6 +3998,23 @@ registry! {
                 "frame_id";
                 "translation_uncertainty": ["x" "y" "z"] in ["m"];
                 "attitude_uncertainty": ["x" "y" "z"] in ["rad"];
+            };
+    }
+    #[cfg(feature = "displacement_data")]
+    0x90 => {
+        /// Raw displacement (0x90,0x01).
+        DisplacementDataDisplacementRaw(crate::displacement_data::DisplacementRaw):
+            Data 0x01, of 1,
+            "displacement_data.displacement_raw", "Raw displacement",
+            [], {
+                "counts" in ["1"];
+            };
+        /// Displacement (0x90,0x02).
+        DisplacementDataDisplacement(crate::displacement_data::Displacement):
+            Data 0x02, of 1,
+            "displacement_data.displacement", "Displacement",
+            [], {
+                "displacement" in ["mm"];
             };
     }
     #[cfg(feature = "system_data")]

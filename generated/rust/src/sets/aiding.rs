@@ -352,6 +352,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
+    /// - To send a height only, clear the valid flags of latitude and longitude. The
+    ///   3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -367,12 +369,14 @@ record! {
         pub frame_id: u8,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.longitude`](LlhAxisFlags::longitude) is
-        /// set.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set. Uncertain: The range, which
+        /// no source states; 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///

@@ -510,6 +510,9 @@ record! {
     /// only.
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
+    /// - On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that
+    ///   of Unix time; [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) then has it,
+    ///   too.
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
     ///   edge.
     /// - Send it within 250 ms after the rising edge of the PPS.
@@ -519,7 +522,7 @@ record! {
     ///   receiver is the PPS source.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
-    /// Command (0x01,0x72).
+    /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
     #[derive(Copy, Eq, Hash)]
     pub struct GpsTimeUpdate {
         /// What to do with the setting.
@@ -756,7 +759,7 @@ record! {
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
-    /// Command (0x01,0x72).
+    /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateWeekNumberResponse {
         /// GPS week number.
@@ -783,7 +786,7 @@ record! {
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
-    /// Command (0x01,0x72).
+    /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateTowResponse {
         /// GPS time of week in whole seconds.

@@ -446,6 +446,44 @@ command! {
 }
 
 record! {
+    /// Set initial attitude from IMU (0x0D,0x04).
+    ///
+    /// Initializes the attitude of the filter with that of the complementary filter.
+    ///
+    /// Also called `set_initial_heading_from_mag`. May be supported by
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014, MicroStrain
+    /// Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
+    /// initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example
+    /// for the 3DM-GX3-45. Uncertain: Which devices have it.
+    ///
+    /// Source: mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04); mip-sdk-2014: Set Initial
+    /// Attitude From AHRS (0x0D,0x04); mscl: Set Initial Attitude From AHRS (0x0D,0x04).
+    #[derive(Copy, Default)]
+    pub struct SetInitialAttitudeFromImu {
+        /// Local declination of the magnetic field.
+        ///
+        /// Unit: rad.
+        pub declination: f32,
+    }
+}
+
+constructors! {
+    SetInitialAttitudeFromImu
+
+    /// Creates the command from its parameters.
+    fn new(declination: f32);
+}
+
+field! {
+    SetInitialAttitudeFromImu: 0x04, "filter.set_initial_attitude_from_imu";
+    in [0x0D];
+}
+
+command! {
+    SetInitialAttitudeFromImu -> ();
+}
+
+record! {
     /// Run navigation filter (0x0D,0x05).
     ///
     /// Starts a filter that is configured to wait for this command.
@@ -544,13 +582,17 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The formula. The text of the manual
+    /// lacks it; it is the inverse of that of
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// which the 3DM-CV7 manual states.
     ///
     /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
     ///   gravity vector of the filter.
     /// - The 3DM-CV7 uses the inverse instead:
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
+    /// - `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy)]
@@ -895,11 +937,12 @@ record! {
         pub week_number: u16,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -90 to 90.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
+        /// 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -1724,11 +1767,14 @@ record! {
         pub enable: Option<u8>,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Required for
+        /// [write](types::FunctionSelector::WRITE). Uncertain: The range, which no source states; 0
+        /// to 360 is the other usual one.
         pub longitude: Option<f64>,
         /// Altitude.
         ///
@@ -2182,7 +2228,8 @@ record! {
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43); 3dm-gq7:
+    /// Magnetic Field Declination Source Control (0x0D,0x43).
     #[derive(Copy)]
     pub struct MagneticDeclinationSource {
         /// What to do with the setting.
@@ -2196,8 +2243,9 @@ record! {
         /// Declination; used only if `source` is manual.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The manual says that it is required only if
-        /// it is, but gives one length.
+        /// may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
+        /// require it only if it is, but give one length, with the value. Sending it always fits
+        /// both.
         pub declination: Option<f32>,
     }
     wire 6 {
@@ -2696,7 +2744,8 @@ record! {
         /// Inclination; used only if `source` is manual.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The SDK always sends it.
+        /// may be left out if `source` is not manual, as the manuals state for
+        /// [`MagneticDeclinationSource`]. The SDK always sends it.
         pub inclination: Option<f32>,
     }
     wire 6 {
@@ -2762,7 +2811,8 @@ record! {
         /// Magnitude; used only if `source` is manual.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The SDK always sends it.
+        /// may be left out if `source` is not manual, as the manuals state for
+        /// [`MagneticDeclinationSource`]. The SDK always sends it.
         pub magnitude: Option<f32>,
     }
     wire 6 {
@@ -4126,11 +4176,12 @@ record! {
         pub enable: u8,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -90 to 90.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
+        /// 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Altitude.
         ///
@@ -4306,15 +4357,17 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43); 3dm-gq7:
+    /// Magnetic Field Declination Source Control (0x0D,0x43).
     #[derive(Copy, Default)]
     pub struct MagneticDeclinationSourceResponse {
         /// Source of the declination.
         pub source: MagParameterSource,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The manual
-        /// says that it is required only if it is, but gives one length.
+        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The manuals,
+        /// that of the 3DM-GQ7 included, require it only if it is, but give one length, with the
+        /// value. Sending it always fits both.
         pub declination: f32,
     }
 }
@@ -4515,8 +4568,8 @@ record! {
         pub source: MagParameterSource,
         /// Inclination; used only if `source` is manual.
         ///
-        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The SDK
-        /// always sends it.
+        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual, as the
+        /// manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
         pub inclination: f32,
     }
 }
@@ -4540,8 +4593,8 @@ record! {
         pub source: MagParameterSource,
         /// Magnitude; used only if `source` is manual.
         ///
-        /// Unit: gauss. Uncertain: Whether it may be left out if `source` is not manual. The SDK
-        /// always sends it.
+        /// Unit: gauss. Uncertain: Whether it may be left out if `source` is not manual, as the
+        /// manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
         pub magnitude: f32,
     }
 }

@@ -371,11 +371,14 @@ record! {
     pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The range, which no source
+        /// states; 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///

@@ -11,10 +11,10 @@ pub const SET: u8 = 0x0E;
 record! {
     /// One GNSS receiver.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Info.
+    /// Source: 3dm-cv7-gnss-ins: Info; mip-sdk-4: Receiver Info (0x0E,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverInfoEntry {
-        /// Receiver, counted from 1.
+        /// Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external.
         ///
         /// Range: at least 1.
         pub receiver_id: u8,
@@ -93,6 +93,61 @@ bitfield! {
         /// B2a. Bit 2.
         B2A: bool = 2,
             b2a, set_b2a, with_b2a;
+    }
+}
+
+open_enum! {
+    /// A GNSS receiver.
+    ///
+    /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
+    ReceiverId: u8 {
+        /// Every receiver; only for commands that accept it.
+        ALL = 0, "all";
+        /// The first receiver inside the device.
+        INTERNAL_RECEIVER_1 = 1, "internal_receiver_1";
+        /// The second receiver inside the device.
+        INTERNAL_RECEIVER_2 = 2, "internal_receiver_2";
+        /// The first external receiver.
+        USER_RECEIVER_1 = 4, "user_receiver_1";
+        /// The second external receiver.
+        USER_RECEIVER_2 = 5, "user_receiver_2";
+    }
+}
+
+open_enum! {
+    /// How much a receiver restarts.
+    ///
+    /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
+    ReceiverResetType: u8 {
+        /// Resets the receiver by its reset line.
+        HARDWARE = 1, "hardware";
+        /// Restarts all software of the receiver.
+        COLD = 2, "cold";
+        /// Restarts the positioning engine only. Uncertain: The name. An earlier branch of the SDK
+        /// calls 3 hot and 4 warm, with the same descriptions of the two numbers; GNSS receivers
+        /// usually keep their satellite data in a hot start and lose it in a warm one.
+        WARM = 3, "warm";
+        /// Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The
+        /// name, which an earlier branch of the SDK exchanges with that of 3.
+        HOT = 4, "hot";
+    }
+}
+
+open_enum! {
+    /// How readily RTK fixes the carrier phase ambiguities to whole numbers.
+    ///
+    /// Uncertain: The descriptions of `conservative` and `moderate`, which follow from the names.
+    ///
+    /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
+    AmbiguityFixMode: u8 {
+        /// Never fixes them. The solution remains a float solution.
+        OFF = 1, "off";
+        /// Fixes them late and with few wrong fixes.
+        CONSERVATIVE = 2, "conservative";
+        /// Between conservative and aggressive.
+        MODERATE = 3, "moderate";
+        /// Fixes them as soon as possible.
+        AGGRESSIVE = 4, "aggressive";
     }
 }
 
@@ -220,6 +275,105 @@ field! {
 command! {
     SignalConfig -> SignalConfigResponse;
     responds SignalConfigResponse for READ;
+}
+
+record! {
+    /// Receiver reset (0x0E,0x03).
+    ///
+    /// Resets a GNSS receiver of the device.
+    ///
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
+    /// devices have it. The SDK does not name any.
+    ///
+    /// - Only internal receivers can be reset.
+    /// - Some devices lack some of the reset types.
+    ///
+    /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct ReceiverReset {
+        /// Receiver to reset.
+        pub receiver_id: ReceiverId,
+        /// How much restarts.
+        pub reset_type: ReceiverResetType,
+    }
+}
+
+constructors! {
+    ReceiverReset
+
+    /// Creates the command from its parameters.
+    fn new(receiver_id: ReceiverId, reset_type: ReceiverResetType);
+}
+
+field! {
+    ReceiverReset: 0x03, "gnss.receiver_reset";
+    in [0x0E];
+}
+
+command! {
+    ReceiverReset -> ();
+}
+
+record! {
+    /// RTK configuration (0x0E,0x04).
+    ///
+    /// Sets how readily the device fixes the ambiguities of an RTK solution.
+    ///
+    /// Also called `rtk_configuration`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`RtkConfigResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver
+    /// report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+    ///
+    /// - The available modes differ by device.
+    ///
+    /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
+    #[derive(Copy, Eq, Hash)]
+    pub struct RtkConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// How readily ambiguities are fixed.
+        ///
+        /// Required for [write](types::FunctionSelector::WRITE).
+        pub ambiguity_fix_mode: Option<AmbiguityFixMode>,
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE).
+        pub reserved: Option<[u8; 4]>,
+    }
+    wire 6 {
+        [function selects]
+        [ambiguity_fix_mode for WRITE]
+        [reserved for WRITE]
+    }
+}
+
+constructors! {
+    RtkConfig
+
+    /// Apply the new setting.
+    fn write(ambiguity_fix_mode: AmbiguityFixMode) = WRITE, reserved: [0; 4];
+
+    /// Return the current setting in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    RtkConfig: 0x04, "gnss.rtk_config";
+    in [0x0E];
+}
+
+command! {
+    RtkConfig -> RtkConfigResponse;
+    responds RtkConfigResponse for READ;
 }
 
 record! {
@@ -444,6 +598,28 @@ field! {
     SignalConfigResponse: 0x82, "gnss.signal_config_response";
     in [0x0E];
     answers SignalConfig;
+}
+
+record! {
+    /// RTK configuration response (0x0E,0x84).
+    ///
+    /// Also called `rtk_configuration_response`. Answers [`RtkConfig`]. Known only from the
+    /// MicroStrain MIP SDK.
+    ///
+    /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct RtkConfigResponse {
+        /// How readily ambiguities are fixed.
+        pub ambiguity_fix_mode: AmbiguityFixMode,
+        /// Reserved.
+        pub reserved: [u8; 4],
+    }
+}
+
+field! {
+    RtkConfigResponse: 0x84, "gnss.rtk_config_response";
+    in [0x0E];
+    answers RtkConfig;
 }
 
 record! {

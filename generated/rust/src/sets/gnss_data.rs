@@ -534,6 +534,39 @@ bitfield! {
         /// Spoofing. Bit 2.
         SPOOFING_STATE: bool = 2,
             spoofing_state, set_spoofing_state, with_spoofing_state;
+        /// Frequency; only set by firmware that sends it. Bit 3.
+        FREQUENCY: bool = 3,
+            frequency, set_frequency, with_frequency;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// How the ambiguities of the carrier phase were solved for a heading.
+    HeadingFixType: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Real numbers, which is less accurate.
+        FLOAT = 1, "float";
+        /// Whole numbers of cycles.
+        FIXED = 2, "fixed";
+    }
+}
+
+bitfield! {
+    /// Which parts of the heading are valid.
+    HeadingFlags: u16 {
+        /// Heading. Bit 0.
+        HEADING: bool = 0,
+            heading, set_heading, with_heading;
+        /// Uncertainty of the heading. Bit 1.
+        UNCERTAINTY: bool = 1,
+            uncertainty, set_uncertainty, with_uncertainty;
+        /// Kind of the fix. Bit 2.
+        FIX_TYPE: bool = 2,
+            fix_type, set_fix_type, with_fix_type;
         /// All of them. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
@@ -896,13 +929,14 @@ record! {
     pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
-        /// set.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
-        /// set.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set. Uncertain: The range, which
+        /// no source states; 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -1368,14 +1402,17 @@ record! {
     /// State of the differential corrections.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor.
-    /// It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats and
-    /// u16. It is that of [`DgpsChannel`] and does not agree with its own valid flags (age, base
-    /// station id, base station status, number of channels).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
+    /// the size of its data. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: Whether any device sends
+    /// [`DgpsInfoSatellite`], the layout of the SDK, instead. Only this one agrees with the valid
+    /// flags, which are the same in all sources.
     ///
-    /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
+    /// - The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL
+    ///   and in the SDK of 2014.
+    ///
+    /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mscl: DGPS Info (0x81,0x0E);
+    /// mip-sdk-2014: DGPS Info (0x81,0x0E).
     #[derive(Copy, Default)]
     pub struct DgpsInfo {
         /// Age of the corrections.
@@ -1404,6 +1441,52 @@ record! {
 field! {
     DgpsInfo: 0x0E, "gnss_data.dgps_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
+    sizes 0..=14;
+}
+
+record! {
+    /// DGPS info with a satellite (0x0E).
+    ///
+    /// Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    ///
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
+    /// of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Uncertain: Whether any device sends it. The values are those of [`DgpsChannel`], but the
+    /// flags are those of [`DgpsInfo`], so a mistake of the SDK is likely.
+    ///
+    /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
+    ///   [`DgpsInfo`].
+    /// - The flags of `base_station_id`, `base_station_status` and `num_channels` belong to no
+    ///   value of this layout.
+    ///
+    /// Source: mip-sdk-4: Dgps Info (0x81,0x0E).
+    #[derive(Copy, Default)]
+    pub struct DgpsInfoSatellite {
+        /// Number of the satellite.
+        pub satellite_id: u8,
+        /// Age of the correction.
+        ///
+        /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
+        /// which follows from [`DgpsChannel`].
+        pub age: f32,
+        /// Correction of the range.
+        ///
+        /// Unit: m. Uncertain: The unit, which follows from [`DgpsChannel`].
+        pub range_correction: f32,
+        /// Correction of the range rate.
+        ///
+        /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
+        pub range_rate_correction: f32,
+        /// Which values are valid.
+        pub valid_flags: DgpsInfoFlags,
+    }
+}
+
+field! {
+    DgpsInfoSatellite: 0x0E, "gnss_data.dgps_info_satellite";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
+    sizes 15..=usize::MAX;
 }
 
 record! {
@@ -1414,11 +1497,13 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MIP SDK of 2014, MicroStrain
+    /// Communication Library and MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
-    /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
+    /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F); mscl: DGPS Channel Status (0x81,0x0F);
+    /// mip-sdk-2014: DGPS Channel (0x81,0x0F).
     #[derive(Copy, Default)]
     pub struct DgpsChannel {
         /// Number of the satellite.
@@ -1634,6 +1719,9 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
     ///
+    /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time
+    ///   sends 0 there and leaves its flag clear.
+    ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
@@ -1649,8 +1737,12 @@ record! {
         ///
         /// Valid if [`valid_flags.spoofing_state`](RfErrorDetectionFlags::spoofing_state) is set.
         pub spoofing_state: SpoofingState,
+        /// Centre frequency of the band.
+        ///
+        /// Unit: MHz. Valid if [`valid_flags.frequency`](RfErrorDetectionFlags::frequency) is set.
+        pub frequency: u16,
         /// Reserved.
-        pub reserved: [u8; 4],
+        pub reserved: [u8; 2],
         /// Which values are valid.
         pub valid_flags: RfErrorDetectionFlags,
     }
@@ -1658,6 +1750,44 @@ record! {
 
 field! {
     RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
+}
+
+record! {
+    /// GNSS heading (0x15).
+    ///
+    /// Heading that the receiver computes from its antennas.
+    ///
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name
+    /// any.
+    ///
+    /// Source: mip-sdk-4: Heading (0x81,0x15).
+    #[derive(Copy, Default)]
+    pub struct Heading {
+        /// Heading of the baseline between the antennas.
+        ///
+        /// Unit: deg. Valid if [`valid_flags.heading`](HeadingFlags::heading) is set. Uncertain:
+        /// The reference and the range. Clockwise from true north is usual; the SDK only states
+        /// degrees.
+        pub heading: f32,
+        /// Uncertainty of the heading.
+        ///
+        /// Unit: deg. Valid if [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set.
+        /// Uncertain: Whether it is one standard deviation.
+        pub uncertainty: f32,
+        /// Kind of the fix.
+        ///
+        /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
+        pub fix_type: HeadingFixType,
+        /// Which values are valid.
+        pub valid_flags: HeadingFlags,
+    }
+}
+
+field! {
+    Heading: 0x15, "gnss_data.heading";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 

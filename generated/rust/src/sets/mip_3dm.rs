@@ -148,13 +148,15 @@ open_enum! {
 open_enum! {
     /// Where the pulse per second comes from.
     ///
-    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28); 3dm-cv7-gnss-ins: RECEIVER Source.
     PpsSource: u8 {
         /// No pulse.
         DISABLED = 0, "disabled";
-        /// From GNSS receiver 1.
+        /// From GNSS receiver 1. The external time is GPS time, and valid only while the receiver
+        /// has a fix.
         RECEIVER_1 = 1, "receiver_1";
-        /// From GNSS receiver 2.
+        /// From GNSS receiver 2. The external time is GPS time, and valid only while the receiver
+        /// has a fix.
         RECEIVER_2 = 2, "receiver_2";
         /// From a GPIO pin that is configured as a PPS input.
         GPIO = 3, "gpio";
@@ -251,6 +253,104 @@ constructors! {
 }
 
 open_enum! {
+    /// Motion that a GNSS receiver assumes.
+    ///
+    /// Uncertain: The values 1 to 8. The SDK of 2014 numbers the modes 0 to 8; u-blox receivers
+    /// have the same modes as 0 and 2 to 8.
+    ///
+    /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34).
+    ReceiverDynamics: u8 {
+        /// Low accelerations; fits most applications.
+        PORTABLE = 0, "portable";
+        /// Fixed installation.
+        FIXED = 1, "fixed";
+        /// At rest.
+        STATIONARY = 2, "stationary";
+        /// Walking speed.
+        PEDESTRIAN = 3, "pedestrian";
+        /// Road vehicles.
+        AUTOMOTIVE = 4, "automotive";
+        /// Vessels at sea level.
+        SEA = 5, "sea";
+        /// Aircraft with accelerations below 1 g.
+        AIRBORNE_1G = 6, "airborne_1g";
+        /// Aircraft with accelerations below 2 g.
+        AIRBORNE_2G = 7, "airborne_2g";
+        /// Aircraft with accelerations below 4 g.
+        AIRBORNE_4G = 8, "airborne_4g";
+    }
+}
+
+bitfield! {
+    /// Processing steps of 3-series devices.
+    ///
+    /// Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has
+    /// the quaternion as 0x10000, which exceeds 16 bits.
+    ///
+    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
+    /// (0x0C,0x35).
+    DataConditioningFlags: u16 {
+        /// Computes the orientation. Bit 0.
+        ORIENTATION_CALCULATION: bool = 0,
+            orientation_calculation, set_orientation_calculation, with_orientation_calculation;
+        /// Corrects coning and sculling. Bit 1.
+        CONING_SCULLING: bool = 1,
+            coning_sculling, set_coning_sculling, with_coning_sculling;
+        /// Sends floats with the least significant byte first. Bit 4.
+        LITTLE_ENDIAN_FLOATS: bool = 4,
+            little_endian_floats, set_little_endian_floats, with_little_endian_floats;
+        /// Suppresses values that are not a number. Bit 5.
+        NAN_SUPPRESSED: bool = 5,
+            nan_suppressed, set_nan_suppressed, with_nan_suppressed;
+        /// Corrects the distance between the accelerometers. Bit 6.
+        FINITE_SIZE_CORRECTION: bool = 6,
+            finite_size_correction, set_finite_size_correction, with_finite_size_correction;
+        /// Switches the magnetometer off. Bit 8.
+        DISABLE_MAG: bool = 8,
+            disable_mag, set_disable_mag, with_disable_mag;
+        /// Reduces the power of the magnetometer. Bit 9.
+        MAG_LOW_POWER: bool = 9,
+            mag_low_power, set_mag_low_power, with_mag_low_power;
+        /// Disables the correction of the heading. Bit 10.
+        DISABLE_NORTH_COMPENSATION: bool = 10,
+            disable_north_compensation, set_disable_north_compensation, with_disable_north_compensation;
+        /// Disables the correction of pitch and roll. Bit 11.
+        DISABLE_UP_COMPENSATION: bool = 11,
+            disable_up_compensation, set_disable_up_compensation, with_disable_up_compensation;
+        /// Computes the quaternion. Bit 12.
+        QUATERNION_CALCULATION: bool = 12,
+            quaternion_calculation, set_quaternion_calculation, with_quaternion_calculation;
+    }
+}
+
+open_enum! {
+    /// Bandwidth of the magnetometer of 3-series devices.
+    ///
+    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35).
+    MagBandwidth: u8 {
+        /// High bandwidth.
+        HIGH = 0, "high";
+        /// Low bandwidth.
+        LOW = 1, "low";
+    }
+}
+
+open_enum! {
+    /// A counter of the time of the sensor data.
+    ///
+    /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
+    ImuTimestampSelector: u8 {
+        /// Seconds of the time beacon.
+        BEACON_SECONDS = 1, "beacon_seconds";
+        /// Nanoseconds of the time beacon.
+        BEACON_NANOSECONDS = 2, "beacon_nanoseconds";
+        /// Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and
+        /// for the nanoseconds.
+        INTERNAL_TICKS = 3, "internal_ticks";
+    }
+}
+
+open_enum! {
     /// How the odometer input works.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
@@ -299,6 +399,46 @@ constructors! {
 
     /// Creates it from its values.
     fn new(setting: u8, range: f32);
+}
+
+open_enum! {
+    /// A sensor inside a 3-series device.
+    ///
+    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61).
+    InternalSensor: u8 {
+        /// The inertial sensor.
+        IMU = 1, "imu";
+        /// The GNSS receiver.
+        GNSS = 2, "gnss";
+    }
+}
+
+open_enum! {
+    /// Format of a data stream.
+    ///
+    /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60).
+    StreamFormat: u8 {
+        /// MIP data fields.
+        STANDARD = 1, "standard";
+        /// Packets of the sensor itself, each in a MIP field.
+        WRAPPED_RAW = 2, "wrapped_raw";
+    }
+}
+
+open_enum! {
+    /// Power state of an internal sensor.
+    ///
+    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61).
+    SensorPowerState: u8 {
+        /// Full power.
+        ON = 1, "on";
+        /// On with reduced power.
+        LOW_POWER = 2, "low_power";
+        /// Asleep.
+        SLEEP = 3, "sleep";
+        /// Off.
+        OFF = 4, "off";
+    }
 }
 
 open_enum! {
@@ -1168,6 +1308,9 @@ record! {
         /// Whether the stream is sent.
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
+        ///
+        /// - The stream starts with current data. What was measured while it was disabled is not
+        ///   sent.
         pub enable: Option<crate::Bool>,
     }
     wire 3 {
@@ -1230,6 +1373,42 @@ field! {
 command! {
     DataStreamControl -> DataStreamControlResponse;
     responds DataStreamControlResponse for READ;
+}
+
+record! {
+    /// Raw RTCM 2.3 message (0x0C,0x20).
+    ///
+    /// Sends RTCM 2.3 corrections to the GNSS receiver.
+    ///
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    ///
+    /// - The receiver uses the RTCM messages 1, 2, 3 and 9.
+    /// - A message may be split at any byte and sent with several of these commands.
+    ///
+    /// Source: 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20); mip-sdk-2014: Raw RTCM 2.3
+    /// Message (0x0C,0x20); mscl: Raw RTCM 2.3 Message (0x0C,0x20).
+    #[derive(Default, Eq, Hash)]
+    pub struct RawRtcm2_3Message {
+        /// Bytes of the RTCM stream.
+        pub data: crate::List<u8, 253>,
+    }
+}
+
+constructors! {
+    RawRtcm2_3Message
+
+    /// Creates the command from its parameters.
+    fn new(data: impl Into<crate::List<u8, 253>>);
+}
+
+field! {
+    RawRtcm2_3Message: 0x20, "3dm.raw_rtcm_2_3_message";
+    in [0x0C];
+}
+
+command! {
+    RawRtcm2_3Message -> ();
 }
 
 record! {
@@ -1878,8 +2057,11 @@ record! {
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
     /// - A GPIO action needs its pin configured as an output with the gpio feature.
+    /// - In each event cycle, the device updates all triggers first and then runs each action at
+    ///   most once. The rate of the cycle is the base rate of the system data.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
+    /// Cycle.
     #[derive(Eq, Hash)]
     pub struct EventActionConfig {
         /// What to do with the setting.
@@ -2119,6 +2301,9 @@ record! {
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
     ///   takes.
+    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
+    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
+    ///   gravity vector of the filter.
     /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
     ///   filters start anew.
     ///
@@ -2183,6 +2368,9 @@ record! {
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
+    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
+    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
+    ///   gravity vector of the filter.
     /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
     ///   filters start anew.
     ///
@@ -2231,6 +2419,223 @@ field! {
 command! {
     SensorToVehicleTransformDcm -> SensorToVehicleTransformDcmResponse;
     responds SensorToVehicleTransformDcmResponse for READ;
+}
+
+record! {
+    /// GPS dynamics mode (0x0C,0x34).
+    ///
+    /// Sets the dynamics that the GNSS receiver assumes of the vehicle.
+    ///
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`]. May be
+    /// supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and
+    /// MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it
+    /// in its example for the 3DM-GX3-35 only.
+    ///
+    /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
+    #[derive(Copy, Eq, Hash)]
+    pub struct GpsDynamicsMode {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Assumed dynamics.
+        ///
+        /// Required for [write](types::FunctionSelector::WRITE).
+        pub mode: Option<ReceiverDynamics>,
+    }
+    wire 2 {
+        [function selects]
+        [mode for WRITE]
+    }
+}
+
+constructors! {
+    GpsDynamicsMode
+
+    /// Apply the new setting.
+    fn write(mode: ReceiverDynamics) = WRITE;
+
+    /// Return the current setting in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GpsDynamicsMode: 0x34, "3dm.gps_dynamics_mode";
+    in [0x0C];
+}
+
+command! {
+    GpsDynamicsMode -> GpsDynamicsModeResponse;
+    responds GpsDynamicsModeResponse for READ;
+}
+
+record! {
+    /// IMU signal conditioning (0x0C,0x35).
+    ///
+    /// Configures the filters and the orientation algorithm of 3-series devices.
+    ///
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
+    /// May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
+    /// 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of
+    /// the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
+    /// record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+    /// 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL
+    /// reads it without.
+    ///
+    /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
+    ///   the width.
+    ///
+    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
+    /// (0x0C,0x35).
+    #[derive(Copy, Eq, Hash)]
+    pub struct ImuSignalConditioning {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Divides 1000 Hz to the rate at which the orientation is computed.
+        ///
+        /// Unit: 1. Range: 1 to 1000. Required for [write](types::FunctionSelector::WRITE).
+        pub orientation_decimation: Option<u16>,
+        /// Processing steps.
+        ///
+        /// Default: 3. Required for [write](types::FunctionSelector::WRITE).
+        pub data_conditioning_flags: Option<DataConditioningFlags>,
+        /// Width of the filter of accelerometers and gyroscopes in samples.
+        ///
+        /// Unit: 1. Range: 1 to 32. Default: 15. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        pub inertial_filter_width: Option<u8>,
+        /// Width of the filter of the magnetometer in samples.
+        ///
+        /// Unit: 1. Range: 1 to 32. Default: 17. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        pub mag_filter_width: Option<u8>,
+        /// Time constant of the correction of pitch and roll.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        pub up_compensation: Option<u16>,
+        /// Time constant of the correction of the heading.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        pub north_compensation: Option<u16>,
+        /// Bandwidth of the magnetometer.
+        ///
+        /// Required for [write](types::FunctionSelector::WRITE).
+        pub mag_bandwidth: Option<MagBandwidth>,
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE).
+        pub reserved: Option<u16>,
+    }
+    wire 14 {
+        [function selects]
+        [orientation_decimation for WRITE]
+        [data_conditioning_flags for WRITE]
+        [inertial_filter_width for WRITE]
+        [mag_filter_width for WRITE]
+        [up_compensation for WRITE]
+        [north_compensation for WRITE]
+        [mag_bandwidth for WRITE]
+        [reserved for WRITE]
+    }
+}
+
+constructors! {
+    ImuSignalConditioning
+
+    /// Apply the new setting.
+    fn write(
+        orientation_decimation: u16,
+        data_conditioning_flags: DataConditioningFlags,
+        inertial_filter_width: u8,
+        mag_filter_width: u8,
+        up_compensation: u16,
+        north_compensation: u16,
+        mag_bandwidth: MagBandwidth,
+    ) = WRITE, reserved: 0;
+
+    /// Return the current setting in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ImuSignalConditioning: 0x35, "3dm.imu_signal_conditioning";
+    in [0x0C];
+}
+
+command! {
+    ImuSignalConditioning -> ImuSignalConditioningResponse;
+    responds ImuSignalConditioningResponse for READ;
+}
+
+record! {
+    /// IMU timestamp (0x0C,0x36).
+    ///
+    /// Sets or reads a counter of the time of the sensor data.
+    ///
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. May be
+    /// supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014.
+    /// Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
+    /// only. Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is
+    /// assumed.
+    ///
+    /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
+    #[derive(Copy, Eq, Hash)]
+    pub struct ImuTimestamp {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Which counter.
+        pub selector: Option<ImuTimestampSelector>,
+        /// Value of the counter, in the unit that `selector` states.
+        ///
+        /// Required for [write](types::FunctionSelector::WRITE).
+        pub time: Option<u32>,
+    }
+    wire 6 {
+        [function selects]
+        [selector for WRITE READ]
+        [time for WRITE]
+    }
+}
+
+constructors! {
+    ImuTimestamp
+
+    /// Apply the new setting.
+    fn write(selector: ImuTimestampSelector, time: u32) = WRITE;
+
+    /// Return the current setting in a response.
+    fn read(selector: ImuTimestampSelector) = READ;
+}
+
+field! {
+    ImuTimestamp: 0x36, "3dm.imu_timestamp";
+    in [0x0C];
+}
+
+command! {
+    ImuTimestamp -> ImuTimestampResponse;
+    responds ImuTimestampResponse for READ;
 }
 
 record! {
@@ -2450,6 +2855,11 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
+    /// - On some devices,
+    ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
+    ///   them from the calibration that the filter makes during operation.
+    /// - The device applies the correction before it sends
+    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -2529,6 +2939,11 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
+    /// - On some devices,
+    ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
+    ///   them from the calibration that the filter makes during operation.
+    /// - The device applies the correction before it sends
+    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -3373,6 +3788,179 @@ command! {
 }
 
 record! {
+    /// Data stream format (0x0C,0x60).
+    ///
+    /// Selects MIP data or the raw data of a sensor for a stream.
+    ///
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`]. May
+    /// be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014
+    /// and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
+    /// SDK of 2014 restricts it to the 3DM-GX3-35.
+    ///
+    /// - Both parameters are sent with every function.
+    /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
+    ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
+    ///   receiver.
+    ///
+    /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60); mscl: Data Stream Format (0x0C,0x60).
+    #[derive(Copy, Eq, Hash)]
+    pub struct DataStreamFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The stream.
+        pub stream: Option<InternalSensor>,
+        /// Its format.
+        pub format: Option<StreamFormat>,
+    }
+    wire 3 {
+        [function selects]
+        [stream for WRITE READ SAVE LOAD DEFAULT]
+        [format for WRITE READ SAVE LOAD DEFAULT]
+    }
+}
+
+constructors! {
+    DataStreamFormat
+
+    /// Apply the new setting.
+    fn write(stream: InternalSensor, format: StreamFormat) = WRITE;
+
+    /// Return the current setting in a response.
+    fn read(stream: InternalSensor, format: StreamFormat) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(stream: InternalSensor, format: StreamFormat) = SAVE;
+
+    /// Load the saved setting.
+    fn load(stream: InternalSensor, format: StreamFormat) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(stream: InternalSensor, format: StreamFormat) = DEFAULT;
+}
+
+field! {
+    DataStreamFormat: 0x60, "3dm.data_stream_format";
+    in [0x0C];
+}
+
+command! {
+    DataStreamFormat -> DataStreamFormatResponse;
+    responds DataStreamFormatResponse for READ;
+}
+
+record! {
+    /// Device power state (0x0C,0x61).
+    ///
+    /// Sets the power state of an internal sensor.
+    ///
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DevicePowerStateResponse`]. The
+    /// device may take 5 s to answer. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
+    /// devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
+    /// Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    ///
+    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
+    #[derive(Copy, Eq, Hash)]
+    pub struct DevicePowerState {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The sensor.
+        pub device: Option<InternalSensor>,
+        /// Its power state.
+        ///
+        /// Required for [write](types::FunctionSelector::WRITE).
+        pub state: Option<SensorPowerState>,
+    }
+    wire 3 {
+        [function selects]
+        [device for WRITE READ SAVE LOAD DEFAULT]
+        [state for WRITE]
+    }
+}
+
+constructors! {
+    DevicePowerState
+
+    /// Apply the new setting.
+    fn write(device: InternalSensor, state: SensorPowerState) = WRITE;
+
+    /// Return the current setting in a response.
+    fn read(device: InternalSensor) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(device: InternalSensor) = SAVE;
+
+    /// Load the saved setting.
+    fn load(device: InternalSensor) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(device: InternalSensor) = DEFAULT;
+}
+
+field! {
+    DevicePowerState: 0x61, "3dm.device_power_state";
+    in [0x0C];
+}
+
+command! {
+    DevicePowerState -> DevicePowerStateResponse;
+    responds DevicePowerStateResponse for READ;
+    timeout 5000;
+}
+
+record! {
+    /// GPS advanced settings (0x0C,0x62).
+    ///
+    /// Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+    ///
+    /// For advanced use. Functions: [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT). May
+    /// be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014
+    /// and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
+    /// SDK of 2014 names the 3DM-GX3-35.
+    ///
+    /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
+    ///   [`system::CommMode`](crate::system::CommMode).
+    ///
+    /// Source: mip-sdk-2014: GPS Advanced Settings (0x0C,0x62); mscl: GPS Advanced Settings
+    /// (0x0C,0x62).
+    #[derive(Copy, Eq, Hash)]
+    pub struct GpsAdvancedSettings {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+    }
+    wire 1 {
+        [function selects]
+    }
+}
+
+constructors! {
+    GpsAdvancedSettings
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GpsAdvancedSettings: 0x62, "3dm.gps_advanced_settings";
+    in [0x0C];
+}
+
+command! {
+    GpsAdvancedSettings -> ();
+}
+
+record! {
     /// Device Status (0x0C,0x64).
     ///
     /// Gets the state of the device, in basic form or with counters.
@@ -3686,6 +4274,53 @@ field! {
 }
 
 record! {
+    /// IMU signal conditioning response (0x0C,0x86).
+    ///
+    /// Answers [`ImuSignalConditioning`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    ///
+    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
+    /// (0x0C,0x35).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct ImuSignalConditioningResponse {
+        /// Divides 1000 Hz to the rate at which the orientation is computed.
+        ///
+        /// Unit: 1. Range: 1 to 1000.
+        pub orientation_decimation: u16,
+        /// Processing steps.
+        ///
+        /// Default: 3.
+        pub data_conditioning_flags: DataConditioningFlags,
+        /// Width of the filter of accelerometers and gyroscopes in samples.
+        ///
+        /// Unit: 1. Range: 1 to 32. Default: 15.
+        pub inertial_filter_width: u8,
+        /// Width of the filter of the magnetometer in samples.
+        ///
+        /// Unit: 1. Range: 1 to 32. Default: 17.
+        pub mag_filter_width: u8,
+        /// Time constant of the correction of pitch and roll.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10.
+        pub up_compensation: u16,
+        /// Time constant of the correction of the heading.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10.
+        pub north_compensation: u16,
+        /// Bandwidth of the magnetometer.
+        pub mag_bandwidth: MagBandwidth,
+        /// Reserved.
+        pub reserved: u16,
+    }
+}
+
+field! {
+    ImuSignalConditioningResponse: 0x86, "3dm.imu_signal_conditioning_response";
+    in [0x0C];
+    answers ImuSignalConditioning;
+}
+
+record! {
     /// UART Baud Rate response (0x0C,0x87).
     ///
     /// Also called `uart_baudrate_response`. Answers [`UartBaudRate`]. Supported by
@@ -3709,6 +4344,50 @@ field! {
     UartBaudRateResponse: 0x87, "3dm.uart_baud_rate_response";
     in [0x0C];
     answers UartBaudRate;
+}
+
+record! {
+    /// Data stream format response (0x0C,0x88).
+    ///
+    /// Answers [`DataStreamFormat`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    ///
+    /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60); mscl: Data Stream Format (0x0C,0x60).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct DataStreamFormatResponse {
+        /// The stream.
+        pub stream: InternalSensor,
+        /// Its format.
+        pub format: StreamFormat,
+    }
+}
+
+field! {
+    DataStreamFormatResponse: 0x88, "3dm.data_stream_format_response";
+    in [0x0C];
+    answers DataStreamFormat;
+}
+
+record! {
+    /// Device power state response (0x0C,0x89).
+    ///
+    /// Answers [`DevicePowerState`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    ///
+    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct DevicePowerStateResponse {
+        /// The sensor.
+        pub device: InternalSensor,
+        /// Its power state.
+        pub state: SensorPowerState,
+    }
+}
+
+field! {
+    DevicePowerStateResponse: 0x89, "3dm.device_power_state_response";
+    in [0x0C];
+    answers DevicePowerState;
 }
 
 record! {
@@ -4736,6 +5415,48 @@ field! {
 }
 
 record! {
+    /// GPS dynamics mode response (0x0C,0x92).
+    ///
+    /// Answers [`GpsDynamicsMode`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known
+    /// only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    ///
+    /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct GpsDynamicsModeResponse {
+        /// Assumed dynamics.
+        pub mode: ReceiverDynamics,
+    }
+}
+
+field! {
+    GpsDynamicsModeResponse: 0x92, "3dm.gps_dynamics_mode_response";
+    in [0x0C];
+    answers GpsDynamicsMode;
+}
+
+record! {
+    /// IMU timestamp response (0x0C,0x93).
+    ///
+    /// Answers [`ImuTimestamp`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known
+    /// only from the MIP SDK of 2014.
+    ///
+    /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct ImuTimestampResponse {
+        /// Which counter.
+        pub selector: ImuTimestampSelector,
+        /// Value of the counter, in the unit that `selector` states.
+        pub time: u32,
+    }
+}
+
+field! {
+    ImuTimestampResponse: 0x93, "3dm.imu_timestamp_response";
+    in [0x0C];
+    answers ImuTimestamp;
+}
+
+record! {
     /// Complementary Filter Configuration response (0x0C,0x97).
     ///
     /// Answers [`ComplementaryFilter`]. Supported by
@@ -5301,7 +6022,8 @@ record! {
     /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
+    /// Cycle.
     #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
         /// Action instance.

@@ -59,9 +59,10 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK.
     ///
-    /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
+    /// Source: mip-sdk-4: Raw Accel (0x80,0x01); mip-sdk-2014: Raw Accel (0x80,0x01).
     #[derive(Copy, Default)]
     pub struct RawAccel {
         /// Acceleration in counts.
@@ -81,9 +82,10 @@ record! {
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK.
     ///
-    /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
+    /// Source: mip-sdk-4: Raw Gyro (0x80,0x02); mip-sdk-2014: Raw Gyro (0x80,0x02).
     #[derive(Copy, Default)]
     pub struct RawGyro {
         /// Angular rate in counts.
@@ -103,9 +105,10 @@ record! {
     ///
     /// Raw magnetic field in counts of the sensor, temperature compensated.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK.
     ///
-    /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
+    /// Source: mip-sdk-4: Raw Mag (0x80,0x03); mip-sdk-2014: Raw Mag (0x80,0x03).
     #[derive(Copy, Default)]
     pub struct RawMag {
         /// Magnetic field in counts.
@@ -311,10 +314,12 @@ record! {
     /// Change of the attitude from the complementary filter as a matrix.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the
-    /// change and the frames. The SDK gives the name only.
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
+    /// interval of the change and the frames. The SDK and the SDK of 2014 state the name and the
+    /// layout only.
     ///
-    /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
+    /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B); mip-sdk-2014: Orientation
+    /// Update Matrix (0x80,0x0B).
     #[derive(Copy, Default)]
     #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct CompOrientationUpdateMatrix {
@@ -371,16 +376,21 @@ record! {
     /// Raw readings of four temperature sensors.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Also called
-    /// `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain
-    /// MIP SDK.
+    /// `orientation_raw_temp`. Not listed in any device profile. Known only from the MIP SDK of
+    /// 2014 and MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
+    /// - The first sensor is that of the magnetometer, the second that of gyroscope 3 and
+    ///   accelerometer 3, the third that of gyroscope 2 and accelerometers 1 and 2, the fourth that
+    ///   of gyroscope 1.
+    ///
+    /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D); mip-sdk-2014: Raw Temperature
+    /// (0x80,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct OrientationRawTemperature {
         /// Temperatures in counts.
         ///
-        /// Unit: 1. Uncertain: The scale, and which sensor is which.
+        /// Unit: 1. Uncertain: The scale, and which axes the numbers 1 to 3 are.
         pub raw_temperature: [u16; 4],
     }
 }
@@ -396,15 +406,17 @@ record! {
     /// Free-running counter of the device.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK.
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain:
+    /// Which devices send it. The SDK of 2014 is for devices of the 3-series and 4-series.
     ///
-    /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
+    /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E); mip-sdk-2014: Internal Timestamp
+    /// (0x80,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct InternalTimestamp {
-        /// Counter.
+        /// Counter: 62 500 counts per second, 16 us each.
         ///
-        /// Unit: 1. Uncertain: The period of one count.
+        /// Unit: 1.
         pub counts: u32,
     }
 }
@@ -419,8 +431,12 @@ record! {
     ///
     /// Time counted by the pulse per second.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
+    /// [`PpsTimestampWithFlags`] by the size of its data. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it.
+    /// [`PpsTimestampWithFlags`] has more sources. Uncertain: The epoch.
+    ///
+    /// - The sources contradict each other. Only the SDK has this layout.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
@@ -440,6 +456,45 @@ record! {
 field! {
     PpsTimestamp: 0x0F, "sensor.pps_timestamp";
     in [0x80];
+    sizes 0..=8;
+}
+
+record! {
+    /// PPS timestamp with flags (0x80,0x0F).
+    ///
+    /// Time counted by the pulse per second, with its state and nanoseconds.
+    ///
+    /// Deprecated: the SDK marks the descriptor as deprecated and names no replacement.
+    /// Distinguished from [`PpsTimestamp`] by the size of its data. Not listed in any device
+    /// profile. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// Uncertain: Which devices send it. The SDK of 2014 is of the time of the 3DM-GX3 devices.
+    /// Uncertain: The epoch.
+    ///
+    /// - The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+    ///
+    /// Source: mscl: 1PPS Timestamp (0x80,0x0F); mip-sdk-2014: 1PPS Timestamp (0x80,0x0F).
+    #[derive(Copy, Default, Eq, Hash)]
+    #[deprecated(note = "the SDK marks the descriptor as deprecated and names no replacement")]
+    pub struct PpsTimestampWithFlags {
+        /// State of the time.
+        ///
+        /// Uncertain: The meaning of the bits, which no source states.
+        pub flags: u8,
+        /// Whole seconds.
+        ///
+        /// Unit: s.
+        pub seconds: u32,
+        /// Fraction of the second.
+        ///
+        /// Unit: ns.
+        pub nanoseconds: u32,
+    }
+}
+
+field! {
+    PpsTimestampWithFlags: 0x0F, "sensor.pps_timestamp_with_flags";
+    in [0x80];
+    sizes 9..=usize::MAX;
 }
 
 record! {

@@ -25,6 +25,9 @@ bitfield! {
         /// SPARTN corrections. Bit 24.
         SPARTN: bool = 24,
             spartn, set_spartn, with_spartn;
+        /// SBF, the binary format of Septentrio receivers. Bit 29.
+        SBF: bool = 29,
+            sbf, set_sbf, with_sbf;
     }
 }
 

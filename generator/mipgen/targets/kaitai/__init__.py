@@ -165,9 +165,11 @@ def _names(model: m.Model) -> Iterator[Named]:
     for t in (model.protocol.function_selector, *model.all_types):
         yield "mip", type_name(t), t.name, t.position
         yield from _members(t, t.position)
+    seen: set[tuple[m.Field, ...]] = set()
     for number, name, fields in kinds(model):
         yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
-        if len(fields) > 1:
+        if len(fields) > 1 and fields not in seen:  # several sets may have the same layouts
+            seen.add(fields)
             yield "mip", home(fields), f"layouts of {fields[0].full_name}", fields[0].position
     for f in records(model):
         yield "mip", type_name(f), f.full_name, f.position
