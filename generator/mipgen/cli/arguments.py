@@ -171,7 +171,7 @@ def _part(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
         ("device", "ID", "what this device supports"),
-        ("set", "NAME", "this descriptor set, such as sensor"),
+        ("set", "SET", "this descriptor set, by its name or its number: sensor, 0x80"),
         ("field", "NAME", "this field, such as 3dm.message_format"),
     ):
         group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
