@@ -16,6 +16,7 @@ from mipgen.base import fingerprint, parallel
 from mipgen.base.errors import Failure
 from mipgen.cli import arguments
 from mipgen.emit import discovery, render, stamp
+from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, need, tree
 
@@ -53,6 +54,19 @@ def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
         schema = re.fullmatch(r"# yaml-language-server: \$schema=(\S+)", named)
         assert schema and (path.parent / schema[1]).is_file(), path
         assert gap == "#" and len(comment) > 20
+
+
+def test_a_new_specification_has_the_unit_that_messages_recommend(tmp_path: Path) -> None:
+    """And takes a small model number."""
+    assert cli.main(["new", str(tmp_path)]) == 0
+    data, device = tmp_path / "sets/measurements.yaml", tmp_path / "devices/my_device.yaml"
+    original = data.read_text("utf-8")
+    data.write_text(original.replace("unit: degC, ", ""), "utf-8")
+    with pytest.raises(SpecError, match=r'give it one \("1" for a plain number'):
+        load_model(tmp_path)
+    data.write_text(original.replace("degC", '"1"'), "utf-8")
+    device.write_text(f"{device.read_text('utf-8')}model_number: 42\n", "utf-8")
+    assert [d.model_number for d in load_model(tmp_path).devices] == [42]
 
 
 def test_the_summary_counts_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from mipgen.compare.changes import Report, compare
+from mipgen.compare.changes import CLASSES, Report, compare
 from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, model
 
@@ -23,6 +23,7 @@ def changed(folder: Path, file: str, old: str, new: str) -> Report:
 
 
 TOOLS, DATA, TYPES = "sets/tools.yaml", "sets/measurements.yaml", "types/types.yaml"
+READING = "varies: {tools.settings.port: {type: mode}}\nbase_rates"
 PORT = "{name: port, type: u8, for: WRS"
 
 
@@ -38,7 +39,24 @@ PORT = "{name: port, type: u8, for: WRS"
         (DATA, "unit: m,", "unit: s,", "wire", "measurements.accel.accel: unit s, was m"),
         (DATA, "frame: sensor, ", "", "wire", "frame none, was sensor"),
         (DATA, "unit: m,", "unit: m, range: [0, ~],", "compatible", "range 0, open, was open, open"),
-        (DATA, ", valid: flags.ready", "", "compatible", "valid flag none, was flags.ready"),
+        (DATA, ", valid: flags.ready", "", "wire", "valid none, was flags.ready"),
+        (DATA, "unit: m,", "unit: m, default: [0, 0, 1],", "compatible", "default 0, 0, 1, was none"),
+        (DATA, "unit: m,", "unit: m, magnitude: [0, 9],", "compatible", "magnitude 0, 9, was open, open"),
+        (
+            "devices/model_a.yaml",
+            "base_rates",
+            READING,
+            "wire",
+            "reading       tools.settings.port on model-a: type mode,",
+        ),
+        (
+            "devices/model_a.yaml",
+            "base_rates",
+            READING.replace("type: mode", "default: 3"),
+            "compatible",
+            "reading       tools.settings.port on model-a: default 3, was none",
+        ),
+        (TYPES, "slow: 1", "slow: 1, lazy: 5", "compatible", "added         mode.lazy: added: 5"),
         (TYPES, "slow: 1", "slow: 3", "wire", "mode.slow: is 3, was 1"),
         (TYPES, "slow: 1", "lazy: 1", "source", "mode.lazy: was called slow"),
         (TYPES, "slow: 1", "slow: 1, turbo: 7", "compatible", "mode.turbo: added: 7"),
@@ -53,13 +71,19 @@ PORT = "{name: port, type: u8, for: WRS"
         (TYPES, "slow: 1", "slow: {value: 1, short: lag, description: S.}", "source", "mode.slow: short name lag, was"),
         (TYPES, "{bits: 4-6", "{bits: 4-6, short: lv", "source", "flags.level: short name lv, was none"),
         (TYPES, "health: {", "health: {short: hp, ", "source", "health: short name hp, was none"),
-        ("devices/model_a.yaml", "title: Model A", "title: Model 1", "compatible", "model-a: another profile"),
+        (
+            "devices/model_a.yaml",
+            "title: Model A",
+            "title: Model 1",
+            "compatible",
+            "model-a: another profile: identity",
+        ),
         (
             "devices/model_a.yaml",
             "title: Model A",
             "title: Model A\nalso: [A]",
             "compatible",
-            "model-a: another profile",
+            "model-a: another profile: identity",
         ),
         (
             TOOLS,
@@ -121,9 +145,28 @@ def test_layouts_that_only_their_size_tells_apart(tmp_path: Path) -> None:
         with (tmp_path / name / TOOLS).open("a") as file:
             file.write(more)
     one, two = load_model(tmp_path / "one"), load_model(tmp_path / "two")
-    added = "compatible tools.longer: added (0x01,0x90)"
+    added = "compatible added         tools.longer: added (0x01,0x90)"
     assert added in [str(c) for c in compare(one, two).changes]
     assert not [c for c in compare(one, two).changes if c.verdict != "compatible"]
     assert [str(c) for c in compare(two, one).changes if "removed" in c.what] == [
-        "source     tools.longer: removed (0x01,0x90)"
+        "source     removed       tools.longer: removed (0x01,0x90)"
     ]
+
+
+def test_each_change_has_a_class_and_a_place(tmp_path: Path) -> None:
+    """Those of the table of classes, of two specifications that have little in common."""
+    report = compare(model("real"), model("invented"))
+    assert {c.kind for c in report.changes} <= set(CLASSES)
+    changes = changed(tmp_path, DATA, "unit: m, frame: sensor, valid: flags.ready", "unit: s, default: [0, 0, 1]")
+    assert [(c.verdict, c.kind) for c in changes.changes] == [
+        ("wire", "frame"), ("wire", "unit"), ("wire", "valid"), ("compatible", "default"),
+    ]  # fmt: skip
+    assert {(c.position.file[-22:], c.position.line) for c in changes.changes if c.position} == {(f"/{DATA}"[-22:], 13)}
+
+
+def test_what_a_new_device_reads_is_part_of_it(tmp_path: Path) -> None:
+    shutil.copytree(BASE, tmp_path / "spec")
+    text = (BASE / "devices/spare.yaml").read_text().replace("spare", "other").replace("Spare", "Other")
+    (tmp_path / "spec/devices/other.yaml").write_text(text.replace("base_rates", READING))
+    found = [str(c) for c in compare(load_model(BASE), load_model(tmp_path / "spec")).changes]
+    assert found == ["compatible added         other: added"]

@@ -66,7 +66,17 @@ def test_json(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
         "old": "0.1.0",
         "new": "0.1.0",
         "verdict": "source",
-        "changes": [{"verdict": "source", "subject": "tools.who", "what": "was called tools.identify"}],
+        "changes": [
+            {
+                "verdict": "source",
+                "class": "name",
+                "subject": "tools.who",
+                "what": "was called tools.identify",
+                "file": "spec/sets/tools.yaml",
+                "line": 23,
+            }
+        ],
+        "ignored": [],
     }
 
 
@@ -111,7 +121,8 @@ def test_before_the_first_release(
         (["diff"], "mipgen: error: name what to compare with: a folder, a revision, or --release"),
         (["diff", "v9"], "mipgen: error: 'v9' is neither a folder nor a revision"),
         (["diff", "empty"], "the revision 'empty' has no folder spec"),
-        (["diff", "v0.1.0", "broken"], "broken: error: this mipgen cannot read it: unknown key 'colour'"),
+        (["diff", "v0.1.0", "broken"], "broken/sets/tools.yaml:30:1: error: unknown key 'colour'"),
+        (["diff", "v0.1.0", "broken"], "broken: error: this mipgen cannot read it\n"),
     ],
 )
 def test_messages(repository: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], message: str) -> None:
@@ -136,3 +147,84 @@ def test_outside_of_a_repository(
         "mipgen: error: there is no folder 'HEAD', and no revision, because spec is not in a Git repository; "
         "name a folder\n"
     )
+
+
+def test_two_folders_need_no_specification_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("old", "new"):
+        shutil.copytree(BASE, tmp_path / name)
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["diff", "old", "new"]) == 0
+    assert cli.main(["diff", "old"]) == 1
+    assert "there is no specification here" in capsys.readouterr().err
+
+
+def test_an_unreadable_revision_gives_file_and_line(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change("sets/tools.yaml", "title: Ping", "heading: Ping")
+    release("wrong")
+    assert cli.main(["diff", "v0.1.0", "wrong"]) == cli.main(["diff", "wrong", "v0.1.0"]) == 1
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[: len(lines) // 2] == lines[len(lines) // 2 :] and len(lines) == 6
+    assert lines[0].startswith("wrong:spec/sets/tools.yaml:7:5: error: 'title' is missing")
+    assert lines[1].startswith("wrong:spec/sets/tools.yaml:9:5: error: unknown key 'heading'")
+    assert lines[2] == "wrong: error: this mipgen cannot read it"
+
+
+def test_annotations(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Of files as they are in the repository, even if the new side is a revision."""
+    change(*CHANGES["wire"][:3])
+    annotation = (
+        "::error file=spec/sets/measurements.yaml,line=13,col=9,title=mipgen diff%3A wire%2C unit"
+        "::measurements.accel.accel: unit s, was m"
+    )
+    assert cli.main(["diff", "v0.1.0", "--format", "github"]) == 5
+    assert capsys.readouterr().out.splitlines()[0] == annotation
+    release("v0.2.0")
+    assert cli.main(["diff", "v0.1.0", "v0.2.0", "--format", "github"]) == 5
+    assert capsys.readouterr().out.splitlines()[0] == annotation
+    assert cli.main(["diff", "v0.2.0", "--format", "github"]) == 0
+
+
+def test_ignored_changes_do_not_count(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change(*CHANGES["wire"][:3])
+    change(*CHANGES["compatible"][:3])
+    Path("ignore.yaml").write_text(
+        "ignore:\n  - {subject: measurements.*, class: unit, reason: A slip of ours.}\n", "utf-8"
+    )
+    assert cli.main(["diff", "v0.1.0", "--ignore", "ignore.yaml"]) == 3
+    assert capsys.readouterr().out.splitlines() == [
+        "compatible description   tools.ping: another description",
+        "ignored    unit          measurements.accel.accel: unit s, was m (A slip of ours.)",
+        "v0.1.0 (version 0.1.0) -> version 0.1.0: compatible",
+    ]
+    assert cli.main(["diff", "v0.1.0", "--ignore", "ignore.yaml", "--json"]) == 3
+    assert json.loads(capsys.readouterr().out)["ignored"][0]["reason"] == "A slip of ours."
+    change("protocol.yaml", "version: 0.1.0", "version: 0.1.1")
+    assert cli.main(["diff", "--release", "--ignore", "ignore.yaml"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("ignore: [{subject: tools.ping}]\n", "ignore.yaml:1:10: error: 'reason' is missing in the entry"),
+        ("ignore: [{subject: tools.ping, reason: ''}]\n", "ignore.yaml:1:40: error: 'reason' must be text"),
+        ("ignore: [{subject: a, reason: B., clas: unit}]\n", "unknown key 'clas', did you mean 'class'?"),
+        ("ignore: [{subject: a, reason: B., class: units}]\n", "unknown class 'units', did you mean 'unit'?"),
+        ("ignore: [a]\n", "ignore.yaml:1:10: error: an entry has the keys 'subject' and 'reason'"),
+        ("tools.ping: A.\n", "ignore.yaml:1:1: error: a list of changes to ignore is a mapping with the one key"),
+        ("ignore: [\n", "ignore.yaml:"),
+        (
+            "ignore:\n  - {subject: tools.ping, class: unit, reason: B.}\n",
+            "ignore.yaml:2:5: error: there is no change of the class 'unit' of 'tools.ping'; remove the entry",
+        ),
+        ("ignore: [{subject: tools.x, reason: B.}]\n", "there is no change of 'tools.x'; remove the entry"),
+    ],
+)
+def test_mistakes_in_a_list_of_ignored_changes(
+    repository: Path, capsys: pytest.CaptureFixture[str], text: str, message: str
+) -> None:
+    change(*CHANGES["compatible"][:3])
+    Path("ignore.yaml").write_text(text, "utf-8")
+    assert cli.main(["diff", "v0.1.0", "--ignore", "ignore.yaml"]) == 1
+    assert message in capsys.readouterr().err

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
+from mipgen import cli
 from mipgen.facts import describe
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
@@ -27,17 +29,53 @@ def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
     assert "Supported by 3DM-CV7-GNSS/INS." in said
 
 
-def test_the_specification_below_keeps_its_requirements(tmp_path: Path) -> None:
-    """A descriptor without a layout needs no sources in an overlay alone."""
+def test_sources_are_optional(tmp_path: Path) -> None:
+    """Whether in an overlay, or in a specification of one's own: nothing requires a manual."""
     named = "{}\nnamed:\n  - {{command: 0x70, name: lamp, title: Lamp}}\n"
     (tmp_path / "mine/sets").mkdir(parents=True)
     (tmp_path / "mine/sets/a.yaml").write_text(named.format("extend: tools"), "utf-8")
     assert [x.name for x in load_model(BASE, tmp_path / "mine").families[0].named] == ["lamp"]
-    shutil.copytree(BASE, tmp_path / "spec")
-    tools = tmp_path / "spec/sets/tools.yaml"
+    spec = tmp_path / "spec"
+    shutil.copytree(BASE, spec)
+    for part in ("manuals", "errata", "examples"):
+        shutil.rmtree(spec / part)
+    for path in spec.rglob("*.yaml"):
+        kept = (line for line in path.read_text("utf-8").splitlines() if not line.startswith(("sources:", "manual:")))
+        lines = (line for line in kept if not line.lstrip().startswith("sources:"))
+        path.write_text(re.sub(r", lengths: \{.*?\}", "", "\n".join(lines)) + "\n", "utf-8")
+    tools = spec / "sets/tools.yaml"
     tools.write_text(named.format(tools.read_text("utf-8")), "utf-8")
-    with pytest.raises(SpecError, match="'sources' is missing"):
-        load_model(tmp_path / "spec")
+    (spec / "sets/pair.yaml").write_text(PAIR, "utf-8")
+    of = load_model(spec)
+    assert of.protocol.manuals == () and not any(f.sources for f in of.fields)
+    assert of.families[0].named[0].sources == of.guides[0].sources == of.protocol.acknowledge.sources == ()
+    heat = of.field("right.heat")
+    assert heat is not None and heat.sets == (0x90, 0x91)
+    out = tmp_path / "out"
+    assert cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "c", "--target", "markdown"]) == 0
+    pages = "\n".join(path.read_text("utf-8") for path in (out / "markdown").rglob("*.md"))
+    assert "Source: " not in pages and "Sources: " not in pages
+
+
+PAIR = """\
+name: pair
+title: Pair
+description: Data of two of a kind.
+sets:
+  left: {set: 0x90, title: Left, description: Left one., every_field: []}
+  right: {set: 0x91, title: Right, description: Right one., every_field: []}
+fields:
+  - {data: 0x01, name: heat, title: Heat, description: How warm it is.}
+"""
+
+
+def test_every_fact_of_the_specification_has_a_source() -> None:
+    of = model("real")
+    named = [x for family in of.families for x in family.named]
+    cited = {f.full_name: f.sources for f in (*of.fields, of.protocol.acknowledge)}
+    cited |= {x.title: x.sources for x in (*named, *of.guides, *of.protocol.notes)}
+    assert [name for name, sources in cited.items() if not sources] == []
+    assert len(cited) > 380
 
 
 def test_the_names_of_an_overlay_are_free(tmp_path: Path) -> None:

@@ -76,6 +76,13 @@ def test_of_a_set(s: m.Set) -> None:
     assert [x.name for x in part.sets if x.name != "shared"] == [s.name] * (s.name != "shared")
 
 
+def test_a_set_may_be_given_by_its_number() -> None:
+    for number in ("0x80", "0X80"):
+        assert names(select(REAL, Selection(sets=(number,)))) == names(select(REAL, Selection(sets=("sensor",))))
+    part = select(REAL, Selection(sets=("0x1",), devices=("3dm-gx5-15",)))
+    assert [s.name for s in part.sets] == ["base"]
+
+
 def test_of_a_field_in_one_of_its_sets() -> None:
     """The name in a set selects that set alone; the name of the layout selects all."""
     for name, sets in (("copy.accel", (0x92,)), ("measurements.accel", (0x80, 0x81, 0x92))):
@@ -162,6 +169,9 @@ def test_what_was_left_out() -> None:
     assert left_out(REAL, REAL).endswith("left out: nothing")
 
 
+NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REAL.sets))
+
+
 @pytest.mark.parametrize(
     ("selection", "message"),
     [
@@ -171,6 +181,7 @@ def test_what_was_left_out() -> None:
         (Selection(devices=("6254",)), "unknown device '6254', did you mean '3dm-gx5-15'?"),
         (Selection(devices=("RQ1",)), "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st'?"),
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
+        (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
         (

@@ -101,8 +101,8 @@ def _has(known: Container[tuple[int, int]], set: int, descriptor: int) -> bool:
 def model_number(text: str) -> int | None:
     """The number with which the model and serial numbers of the device information begin.
 
-    It has at least four digits. Spaces may precede it, and a dot, a dash or a space follows it.
+    Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it.
     """
-    match = re.match(r" *([0-9]{4,})(?=[-. \0]|\Z)", text)
+    match = re.match(r" *([0-9]+)(?=[-. \0]|\Z)", text)
     number = int(match[1]) if match else 0
     return number if 0 < number <= 0xFFFF else None

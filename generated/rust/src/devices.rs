@@ -163,8 +163,7 @@ impl Profile {
 
 /// The model number that the device information gives: its model and serial numbers begin with it.
 ///
-/// It has at least four digits. Spaces may precede it, and a dot, a dash, a space, a NUL or the end
-/// of the text follows it.
+/// Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it.
 ///
 /// ```
 /// use mip_protocol::devices::model_number;
@@ -178,5 +177,5 @@ pub fn model_number(text: &str) -> Option<u16> {
     let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let (digits, rest) = (text.get(..end)?, text.get(end..)?);
     let ends = rest.is_empty() || rest.starts_with(['.', '-', ' ', '\0']);
-    digits.parse().ok().filter(|number| ends && digits.len() >= 4 && *number > 0)
+    digits.parse().ok().filter(|number| ends && *number > 0)
 }

@@ -31,6 +31,18 @@ verdicts:
   compatible  something added, or another description, range or default       3
   source      renamed or removed: programs must be changed to build again     4
   wire        the same bytes mean something else, or other bytes are sent     5
+
+classes (the second word of a line):
+  wire        unit, frame, valid, layout, value, condition, constant
+  source      name, removed, type, short name
+  compatible  added, default, range, description, profile, ...
+  reading     what a device makes of a shared parameter: wire if its type, unit, frame or
+              valid flag changed, else compatible
+
+changes that do not count, for --ignore; * stands for any text, and without 'class' all
+changes of the subject are meant:
+  ignore:
+    - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a mistake.}
 """
 COMPLETION = """\
   bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
@@ -115,7 +127,19 @@ def parser() -> argparse.ArgumentParser:
     diff = command("diff", "diff", "list what changed between two specifications, and what it breaks", DIFF)
     diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
     diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
-    diff.add_argument("--json", action="store_true", help="print the report as JSON")
+    diff.add_argument(
+        "--format",
+        choices=("text", "json", "github"),
+        default="text",
+        help="print text, JSON, or annotations of files for a workflow on GitHub (default: text)",
+    )
+    diff.add_argument("--json", action="store_true", help="the same as --format json")
+    diff.add_argument(
+        "--ignore",
+        type=Path,
+        metavar="FILE",
+        help="a YAML list of changes that do not count, each with a reason",
+    )
     diff.add_argument(
         "--release",
         action="store_true",
@@ -171,7 +195,7 @@ def _part(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
         ("device", "ID", "what this device supports"),
-        ("set", "NAME", "this descriptor set, such as sensor"),
+        ("set", "SET", "this descriptor set, by its name or its number: sensor, 0x80"),
         ("field", "NAME", "this field, such as 3dm.message_format"),
     ):
         group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)

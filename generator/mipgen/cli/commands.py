@@ -21,6 +21,8 @@ PARTS = ("devices", "sets", "fields")
 EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
 
 if TYPE_CHECKING:
+    from mipgen.compare.changes import Report
+    from mipgen.compare.ignored import Entry
     from mipgen.emit.build import Output
     from mipgen.emit.discovery import Source
     from mipgen.model import Model
@@ -205,56 +207,98 @@ def _remember(options: Namespace, key: str | None, summary: str, outputs: list[O
 
 def diff(options: Namespace) -> int:
     """Prints what changed; the exit status is the verdict."""
-    import json
+    from mipgen.compare import changes, ignored
 
-    from mipgen.compare import changes, revisions
-
-    spec, *overlays = _specs(options)
+    listed = ignored.entries(options.ignore) if options.ignore else []
     if options.release:
-        return _since_release(spec, overlays)
+        return _since_release(options, listed)
     if options.old is None:
         raise Failure("name what to compare with: a folder, a revision, or --release")
-    with revisions.folder(options.old, spec) as before:
-        if options.new is None:
-            new = _of_another_time(str(spec), spec, *overlays)
-        else:
-            with revisions.folder(options.new, spec) as after:
-                new = _of_another_time(options.new, after)
-        report = changes.compare(_of_another_time(options.old, before), new)
-    print(json.dumps(report.plain(), indent=2) if options.json else report.text(options.old))
+    given = [name for name in (options.old, options.new) if name is not None]
+    # Two folders need no specification here.
+    spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, given)) or len(given) < 2 else [Path()]
+    old, _ = _of_another_time(options.old, spec)
+    new, there = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
+    report = ignored.without(changes.compare(old, new).moved(there, f"{spec}/"), listed)
+    _print(options, report, options.old)
     return EXIT_STATUS[report.verdict]
 
 
-def _since_release(spec: Path, overlays: list[Path]) -> int:
-    """Compares with the last release; fails if the version number says less than what changed."""
-    from mipgen.compare import changes, revisions
+def _is_spec(name: str) -> bool:
+    return bool(name) and Path(name).is_dir()
 
+
+def _print(options: Namespace, report: Report, old: str) -> None:
+    import json
+
+    match "json" if options.json else options.format:
+        case "json":
+            print(json.dumps(report.plain(), indent=2))
+        case "github":
+            print(report.github(old))
+        case _:
+            print(report.text(old))
+
+
+def _since_release(options: Namespace, listed: list[Entry]) -> int:
+    """Compares with the last release; fails if the version number says less than what changed."""
+    from mipgen.compare import changes, ignored, revisions
+
+    spec, *overlays = _specs(options)
     tag = revisions.last_release(spec)
     if tag is None:
         print("nothing is released yet, so there is nothing to compare with")
         return 0
-    new = _of_another_time(str(spec), spec, *overlays)
-    with revisions.folder(tag, spec) as before:
-        try:
-            report = changes.compare(_of_another_time(tag, before), new)
-        except Failure:
-            report = changes.unreadable(tag.removeprefix("v"), new)
-    print(report.text(tag))
+    new = _of_this_time(spec, overlays)
+    try:
+        report = ignored.without(changes.compare(_of_another_time(tag, spec)[0], new), listed)
+    except Unreadable:
+        report = changes.unreadable(tag.removeprefix("v"), new)
+    _print(options, report, tag)
     if changes.enough(report):
         return 0
     print(f"mipgen: the version {report.new} is too low for these changes; raise it in protocol.yaml", file=sys.stderr)
     return 1
 
 
-def _of_another_time(name: str, *folders: Path) -> Model:
-    """A specification that may be too old for this program."""
+def _of_this_time(spec: Path, overlays: list[Path]) -> Model:
     from mipgen.read.problems import SpecError
     from mipgen.resolve.load import load_model
 
     try:
-        return load_model(*folders)
+        return load_model(spec, *overlays)
     except SpecError as error:
-        raise Failure(f"this mipgen cannot read it: {error.problems[0].message}", name) from None
+        raise Unreadable(str(spec), [str(p) for p in error.problems]) from None
+
+
+def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
+    """A folder, or a revision of a specification, which may be too old for this program; and how its files were
+    called while a revision was unpacked."""
+    from mipgen.compare import revisions
+    from mipgen.read.loader import shown
+    from mipgen.read.problems import SpecError
+    from mipgen.resolve.load import load_model
+
+    with revisions.folder(name, spec) as folder:
+        there = "" if _is_spec(name) else f"{shown(folder)}/"
+        try:
+            return load_model(folder), there
+        except SpecError as error:
+            found = [str(p) for p in error.problems]
+            if there:
+                found = [line.replace(there, f"{name}:{spec}/", 1) for line in found]
+            raise Unreadable(name, found) from None
+
+
+class Unreadable(Failure):
+    """A side of a comparison is no specification that this program can read; each problem has its place."""
+
+    def __init__(self, name: str, problems: list[str]) -> None:
+        super().__init__("this mipgen cannot read it", name)
+        self.lines = problems
+
+    def __str__(self) -> str:
+        return "\n".join([*self.lines, super().__str__()])
 
 
 def audit(options: Namespace) -> int:

@@ -7,18 +7,27 @@ same           nothing changed that a program could notice, but perhaps the docu
 compatible     something was added, or a text, range or default changed
 source         a program must be changed to build again: something was renamed or removed
 wire           the same bytes mean something else, or other bytes are sent
+
+The class of a change says what kind of fact changed: a unit, a default, the reading of a device, ...
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any, Final, Literal
 
 from mipgen import model as m
 
 Verdict = Literal["same", "compatible", "source", "wire"]
+
+#: Facts that may change, for a list of changes to ignore.
+CLASSES: Final = (
+    "added", "bound", "condition", "constant", "default", "deprecated", "description", "devices", "documentation",
+    "frame", "functions", "language", "layout", "magnitude", "name", "profile", "range", "reading", "removed",
+    "responses", "short name", "type", "typical value", "unit", "unknown", "valid", "value", "value to send", "values",
+)  # fmt: skip
 
 #: From harmless to worst.
 VERDICTS: Final[tuple[Verdict, ...]] = ("same", "compatible", "source", "wire")
@@ -27,11 +36,18 @@ VERDICTS: Final[tuple[Verdict, ...]] = ("same", "compatible", "source", "wire")
 @dataclass(frozen=True, slots=True)
 class Change:
     verdict: Verdict
+    kind: str  # the class, one of `CLASSES`
     subject: str  # "3dm.gyro_bias", "ack_code.ok", "3dm-gx5-15"
     what: str
+    position: m.Position | None = field(default=None, compare=False)  # in the new specification
 
     def __str__(self) -> str:
-        return f"{self.verdict:10} {self.subject}: {self.what}"
+        return f"{self.verdict:10} {self.kind:13} {self.subject}: {self.what}"
+
+    def plain(self) -> dict[str, Any]:
+        at = self.position
+        place = {"file": at.file, "line": at.line} if at else {}
+        return {"verdict": self.verdict, "class": self.kind, "subject": self.subject, "what": self.what, **place}
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,19 +56,64 @@ class Report:
     new: str
     verdict: Verdict
     changes: tuple[Change, ...]
+    ignored: tuple[tuple[Change, str], ...] = ()  # each with the reason; they do not count
+
+    def moved(self, before: str, now: str) -> Report:
+        """With the places of files whose names begin with `before` in `now`."""
+        if not before:
+            return self
+        return replace(self, changes=tuple(
+            replace(c, position=c.position._replace(file=c.position.file.replace(before, now, 1)))
+            if c.position else c for c in self.changes
+        ))  # fmt: skip
+
+    def whole(self, name: str) -> str:
+        """The verdict in one line; `name` is what the old specification is called."""
+        return f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
 
     def text(self, name: str) -> str:
-        """A line for each change, and one for the whole; `name` is what the old specification is called."""
-        whole = f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
-        return "\n".join([*map(str, self.changes), whole])
+        """A line for each change, and one for the whole."""
+        ignored = (f"{'ignored':10} {c.kind:13} {c.subject}: {c.what} ({reason})" for c, reason in self.ignored)
+        return "\n".join([*map(str, self.changes), *ignored, self.whole(name)])
 
     def plain(self) -> dict[str, Any]:
         """As JSON has it."""
-        return asdict(self)
+        return {
+            "old": self.old,
+            "new": self.new,
+            "verdict": self.verdict,
+            "changes": [c.plain() for c in self.changes],
+            "ignored": [{**c.plain(), "reason": reason} for c, reason in self.ignored],
+        }
+
+    def github(self, name: str) -> str:
+        """Commands that annotate the files of a pull request on GitHub."""
+        return "\n".join([*map(_annotation, self.changes), self.whole(name)])
+
+
+#: What a workflow on GitHub calls a change of each verdict.
+LEVELS: Final[dict[Verdict, str]] = {"same": "notice", "compatible": "notice", "source": "warning", "wire": "error"}
+
+
+def _annotation(c: Change) -> str:
+    r"""
+    >>> _annotation(Change("wire", "unit", "a.b", "unit %, was m", m.Position("spec/a,b.yaml", 3, 7)))
+    '::error file=spec/a%2Cb.yaml,line=3,col=7,title=mipgen diff%3A wire%2C unit::a.b: unit %25, was m'
+    """
+
+    def escaped(text: str, *others: str) -> str:
+        for c in ("%", "\r", "\n", *others):
+            text = text.replace(c, f"%{ord(c):02X}")
+        return text
+
+    at = c.position
+    place = f"file={escaped(at.file, ':', ',')},line={at.line},col={at.column}," if at else ""
+    title = escaped(f"mipgen diff: {c.verdict}, {c.kind}", ":", ",")
+    return f"::{LEVELS[c.verdict]} {place}title={title}::{escaped(f'{c.subject}: {c.what}')}"
 
 
 def compare(old: m.Model, new: m.Model) -> Report:
-    changes = sorted(
+    found = sorted(
         {
             *_fields(old, new),
             *_types(old, new),
@@ -63,13 +124,46 @@ def compare(old: m.Model, new: m.Model) -> Report:
         },
         key=lambda c: (-VERDICTS.index(c.verdict), c.subject, c.what),
     )
-    worst = max((c.verdict for c in changes), key=VERDICTS.index, default=VERDICTS[0])
-    return Report(old.protocol.version, new.protocol.version, worst, tuple(changes))
+    places = _places(new)
+    changes = tuple(replace(c, position=_nearest(c.subject, places)) for c in found)
+    return Report(old.protocol.version, new.protocol.version, worst(changes), changes)
+
+
+def worst(changes: Iterable[Change]) -> Verdict:
+    return max((c.verdict for c in changes), key=VERDICTS.index, default=VERDICTS[0])
+
+
+def _places(model: m.Model) -> dict[str, m.Position | None]:
+    """Where each subject of a change is defined."""
+    places: dict[str, m.Position | None] = {s.name: s.position for s in model.sets}
+    places |= {x.name: x.position for x in model.families} | {d.id: d.position for d in model.devices}
+    for t in model.all_types:
+        name = _spec_name(t)
+        places[name] = getattr(t, "position", None)
+        members: Sequence[Any] = getattr(t, "values", None) or getattr(t, "bits", None) or ()
+        if isinstance(t, m.Struct):
+            members = t.parameters
+        places |= {f"{name}.{x.name}": x.position for x in members}
+    for f in model.fields:
+        places[f.full_name] = f.position
+        places |= {f"{f.full_name}.{p.name}": p.position for p in f.parameters}
+    return places
+
+
+def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position | None:
+    """The place of a subject, else that of what it is in."""
+    subject, _, device = subject.partition(" on ")
+    name = device or subject.partition(" with ")[0]
+    while name and places.get(name) is None:
+        name = name.rpartition(".")[0]
+    return places.get(name)
 
 
 def unreadable(version: str, new: m.Model) -> Report:
     """For an old specification in a format that is no longer supported: anything may have changed."""
-    change = Change("wire", "the specification", "the old one is in a language that this mipgen cannot read")
+    change = Change(
+        "wire", "language", "the specification", "the old one is in a language that this mipgen cannot read"
+    )
     return Report(version, new.protocol.version, change.verdict, (change,))
 
 
@@ -101,15 +195,16 @@ def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
         return (key, f.min_size) if key in shared else (key,)
 
     theirs, ours = ({place(f): f for f in model.fields} for model in (old, new))
+    devices = frozenset(d.id for d in old.devices) & frozenset(d.id for d in new.devices)
     for key, f in theirs.items():
         if key not in ours:
-            yield Change("source", f.full_name, f"removed {_place(f)}")
+            yield Change("source", "removed", f.full_name, f"removed {_place(f)}")
     for key, f in ours.items():
         before = theirs.get(key)
         if before is None:
-            yield Change("compatible", f.full_name, f"added {_place(f)}")
+            yield Change("compatible", "added", f.full_name, f"added {_place(f)}")
         else:
-            yield from _field(before, f)
+            yield from _field(before, f, devices)
 
 
 def _identity(f: m.Field) -> tuple[object, ...]:
@@ -120,34 +215,41 @@ def _place(f: m.Field, number: int | None = None) -> str:
     return f"(0x{f.set if number is None else number:02X},0x{f.descriptor:02X})"
 
 
-def _field(old: m.Field, new: m.Field) -> Iterator[Change]:
+def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Change]:
     name = new.full_name
     if old.full_name != name:
-        yield Change("source", name, f"was called {old.full_name}")
+        yield Change("source", "name", name, f"was called {old.full_name}")
     for number in set(old.sets) - set(new.sets):
-        yield Change("source", name, f"removed from the set 0x{number:02X}")
+        yield Change("source", "removed", name, f"removed from the set 0x{number:02X}")
     for number in set(new.sets) - set(old.sets):
-        yield Change("compatible", name, f"added {_place(new, number)}")
+        yield Change("compatible", "added", name, f"added {_place(new, number)}")
     yield from _differences("source", name, {"short name": (old.short, new.short)})
     if _wire(old) != _wire(new):
-        yield Change("wire", name, _first_difference(old, new))
+        yield Change("wire", "layout", name, _first_difference(old, new))
         return  # parameters can no longer be matched by position
-    yield from _parameters(name, old.parameters, new.parameters)
+    yield from _parameters(name, old.parameters, new.parameters, devices)
     a, b = m.letters(old.functions), m.letters(new.functions)
     if a != b:
         fewer = set(a) - set(b)
-        yield Change("source" if fewer else "compatible", name, f"takes the functions {_said(b)}, took {_said(a)}")
+        yield Change(
+            "source" if fewer else "compatible", "functions", name, f"takes the functions {_said(b)}, took {_said(a)}"
+        )
     if old.responses != new.responses:
         lost = [r for r in old.responses if r not in new.responses]
-        yield Change("source" if lost else "compatible", name, f"is answered by {', '.join(new.responses) or 'none'}")
+        yield Change(
+            "source" if lost else "compatible",
+            "responses",
+            name,
+            f"is answered by {', '.join(new.responses) or 'none'}",
+        )
     if (old.silent_when, old.when) != (new.silent_when, new.when):
-        yield Change("wire", name, "answers under other conditions")
+        yield Change("wire", "condition", name, "answers under other conditions")
     if old.devices != new.devices:
-        yield Change("compatible", name, "a layout of other devices")
+        yield Change("compatible", "devices", name, "a layout of other devices")
     if old.deprecated != new.deprecated:
-        yield Change("compatible", name, "deprecated" if new.deprecated else "no longer deprecated")
+        yield Change("compatible", "deprecated", name, "deprecated" if new.deprecated else "no longer deprecated")
     if _texts(old) != _texts(new):
-        yield Change("compatible", name, "another description")
+        yield Change("compatible", "description", name, "another description")
 
 
 def _texts(f: m.Field) -> tuple[object, ...]:
@@ -197,36 +299,82 @@ def _first_difference(old: m.Field, new: m.Field) -> str:
 # --------------------------------------------------------------------------- parameters
 
 
-def _parameters(of: str, old: Sequence[m.Parameter], new: Sequence[m.Parameter]) -> Iterator[Change]:
-    """Parameters of one layout, by their place."""
+def _parameters(
+    of: str, old: Sequence[m.Parameter], new: Sequence[m.Parameter], devices: frozenset[str] = frozenset()
+) -> Iterator[Change]:
+    """Parameters of one layout, by their place. `devices`: those that both specifications have."""
     for a, b in zip(old, new, strict=True):
         subject = f"{of}.{b.name}"
         if a.name != b.name:
-            yield Change("source", subject, f"was called {a.name}")
-        yield from _differences("wire", subject, {"unit": (a.units, b.units), "frame": (a.frame, b.frame)})
+            yield Change("source", "name", subject, f"was called {a.name}")
+        meaning: dict[str, tuple[object, object]] = {
+            "unit": (a.units, b.units),
+            "frame": (a.frame, b.frame),
+            "valid": (a.valid, b.valid),
+        }
+        yield from _differences("wire", subject, meaning)
         harmless = {
             "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
+            "bound": ((a.above, a.below), (b.above, b.below)),
+            "magnitude": (a.magnitude, b.magnitude),
             "default": (a.default, b.default),
-            "valid flag": (a.valid, b.valid),
             "value to send": (a.reserved, b.reserved),
         }
         yield from _differences("compatible", subject, harmless)
         yield from _differences("same", subject, {"typical value": (a.typical, b.typical)})
         if _type_name(a.element) != _type_name(b.element):
-            yield Change("source", subject, f"of type {_type_name(b.element)}, was {_type_name(a.element)}")
-        if a.variants != b.variants:
-            yield Change("compatible", subject, "varies in another way")
+            yield Change("source", "type", subject, f"of type {_type_name(b.element)}, was {_type_name(a.element)}")
+        yield from _variants(subject, a, b, devices)
         if (a.description, a.notes, a.deprecated) != (b.description, b.notes, b.deprecated):
-            yield Change("compatible", subject, "another description")
+            yield Change("compatible", "description", subject, "another description")
         for c, d in zip(a.cases, b.cases, strict=True):
             if c.parameter and d.parameter:
-                yield from _parameters(subject, [c.parameter], [d.parameter])
+                yield from _parameters(subject, [c.parameter], [d.parameter], devices)
 
 
-def _differences(verdict: Verdict, subject: str, pairs: dict[str, tuple[object, object]]) -> Iterator[Change]:
+def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozenset[str]) -> Iterator[Change]:
+    """What differs on a device, or with one value of a sibling. What only a new or a removed device says is said of
+    the device."""
+
+    def by_key(p: m.Parameter) -> dict[tuple[str, str, str], m.Variant]:
+        return {(v.by, v.key, v.member): v for v in p.variants}
+
+    before, now = by_key(old), by_key(new)
+    for key in {**before, **now}:
+        by, value, member = key
+        if by == m.DEVICE and value not in devices:
+            continue
+        kind = "reading" if by == m.DEVICE else ""
+        of = f"{subject}.{member}" if member else subject
+        of += f" on {value}" if by == m.DEVICE else f" with {by} {value}"
+        a, b = (variants.get(key) or m.Variant(by, value) for variants in (before, now))
+        meaning: dict[str, tuple[object, object]] = {
+            "type": (a.type and a.type.name, b.type and b.type.name),
+            "unit": (a.units, b.units),
+            "frame": (a.frame, b.frame),
+            "valid": ("as usual" if a.valid is None else a.valid, "as usual" if b.valid is None else b.valid),
+            "constant": (a.constant, b.constant),
+        }
+        yield from _differences("wire", of, meaning, kind)
+        harmless: dict[str, tuple[object, object]] = {
+            "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
+            "default": (a.default, b.default),
+            "values": (tuple(x.name for x in a.only), tuple(x.name for x in b.only)),
+            "deprecated": (a.deprecated, b.deprecated),
+            "unknown": (a.unknown, b.unknown),
+        }
+        yield from _differences("compatible", of, harmless, kind)
+        if a.description != b.description:
+            yield Change("compatible", kind or "description", of, "another description")
+
+
+def _differences(
+    verdict: Verdict, subject: str, pairs: dict[str, tuple[object, object]], kind: str = ""
+) -> Iterator[Change]:
+    """A change for each pair that differs, of this class, or of one that is called like the pair."""
     for what, (old, new) in pairs.items():
         if old != new:
-            yield Change(verdict, subject, f"{what} {_said(new)}, was {_said(old)}")
+            yield Change(verdict, kind or what, subject, f"{what} {_said(new)}, was {_said(old)}")
 
 
 def _said(value: object) -> str:
@@ -249,11 +397,11 @@ def _types(old: m.Model, new: m.Model) -> Iterator[Change]:
     theirs, ours = ({_spec_name(t): t for t in model.all_types} for model in (old, new))
     for name, t in theirs.items():
         if name not in ours:
-            yield Change("source", name, "removed")
+            yield Change("source", "removed", name, "removed")
         else:
             yield from _type(name, t, ours[name])
     for name in ours.keys() - theirs.keys():
-        yield Change("compatible", name, "added")
+        yield Change("compatible", "added", name, "added")
 
 
 def _spec_name(t: m.Type) -> str:
@@ -276,13 +424,15 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
                 yield from _parameters(name, old.parameters, new.parameters)
         case m.Vector(), m.Vector():
             if old.elements != new.elements:
-                yield Change("source", name, f"elements {', '.join(new.elements)}, were {', '.join(old.elements)}")
+                yield Change(
+                    "source", "name", name, f"elements {', '.join(new.elements)}, were {', '.join(old.elements)}"
+                )
         case _:
-            yield Change("source", name, f"{new.kind}, was {old.kind}")
+            yield Change("source", "type", name, f"{new.kind}, was {old.kind}")
     if not isinstance(old, m.Vector) and not isinstance(new, m.Vector):
         yield from _differences("source", name, {"short name": (old.short, new.short)})
     if old.description != new.description:
-        yield Change("compatible", name, "another description")
+        yield Change("compatible", "description", name, "another description")
 
 
 def _shortened(of: str, old: Sequence[m.EnumValue | m.Bits], new: Sequence[m.EnumValue | m.Bits]) -> Iterator[Change]:
@@ -299,14 +449,14 @@ def _named(of: str, old: dict[Any, str], new: dict[Any, str]) -> Iterator[Change
         if new.get(number) == name:
             continue
         if name in new.values():
-            yield Change("wire", f"{of}.{name}", f"is {_number(new, name)}, was {_shown(number)}")
+            yield Change("wire", "value", f"{of}.{name}", f"is {_number(new, name)}, was {_shown(number)}")
         elif number in new:
-            yield Change("source", f"{of}.{new[number]}", f"was called {name}")
+            yield Change("source", "name", f"{of}.{new[number]}", f"was called {name}")
         else:
-            yield Change("source", f"{of}.{name}", "removed")
+            yield Change("source", "removed", f"{of}.{name}", "removed")
     for number, name in new.items():
         if number not in old and name not in old.values():
-            yield Change("compatible", f"{of}.{name}", f"added: {_shown(number)}")
+            yield Change("compatible", "added", f"{of}.{name}", f"added: {_shown(number)}")
 
 
 def _number(of: dict[Any, str], name: str) -> str:
@@ -323,20 +473,33 @@ def _shown(number: object) -> str:
 def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
     theirs, ours = ({d.id: d for d in model.devices} for model in (old, new))
     for name in theirs.keys() - ours.keys():
-        yield Change("source", name, "removed")
+        yield Change("source", "removed", name, "removed")
     for name, d in ours.items():
         before = theirs.get(name)
         if before is None:
-            yield Change("compatible", name, "added")
-        elif _profile(before) != _profile(d):
-            yield Change("compatible", name, "another profile")
+            yield Change("compatible", "added", name, "added")
+        elif _profiles(before, d):
+            yield Change("compatible", "profile", name, f"another profile: {', '.join(_profiles(before, d))}")
 
 
-def _profile(d: m.Device) -> tuple[object, ...]:
+def _profiles(old: m.Device, new: m.Device) -> list[str]:
+    """What differs between the profiles of a device."""
+    a, b = _profile(old), _profile(new)
+    return [what for what in a if a[what] != b[what]]
+
+
+def _profile(d: m.Device) -> dict[str, object]:
     supports = tuple((s.set, s.field.descriptor, m.letters(s.functions), s.evidence, s.deprecated) for s in d.supports)
-    rates = tuple((r.set.number, r.hertz) for r in d.base_rates)
-    identity = (d.title, d.description, d.also, d.model_number, d.generation, d.manual)
-    return (*identity, supports, rates, d.ports, d.limits, d.notes, d.ack_codes, d.incomplete, d.uncertain)
+    return {
+        "identity": (d.title, d.description, d.also, d.model_number, d.generation, d.manual),
+        "fields": supports,
+        "base rates": tuple((r.set.number, r.hertz) for r in d.base_rates),
+        "ports": d.ports,
+        "limits": d.limits,
+        "notes": d.notes,
+        "codes": d.ack_codes,
+        "what is not certain": (d.incomplete, d.uncertain),
+    }
 
 
 def _functions(old: m.Model, new: m.Model) -> Iterable[Change]:
@@ -347,7 +510,7 @@ def _functions(old: m.Model, new: m.Model) -> Iterable[Change]:
 def _package(old: m.Model, new: m.Model) -> Iterator[Change]:
     a, b = old.protocol.package, new.protocol.package
     if a != b:
-        yield Change("source", "the package", f"renamed from {a} to {b}")
+        yield Change("source", "name", "the package", f"renamed from {a} to {b}")
 
 
 # --------------------------------------------------------------------------- documentation
@@ -374,11 +537,11 @@ def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
     for kind, (before, now) in kinds.items():
         for name in before.keys() | now.keys():
             if name not in now:
-                yield Change("same", name, f"{kind} removed")
+                yield Change("same", "documentation", name, f"{kind} removed")
             elif name not in before:
-                yield Change("same", name, f"{kind} added")
+                yield Change("same", "documentation", name, f"{kind} added")
             elif _plain(before[name]) != _plain(now[name]):
-                yield Change("same", name, f"another {kind}")
+                yield Change("same", "documentation", name, f"another {kind}")
 
 
 def _plain(x: Any) -> object:

@@ -75,7 +75,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
                     continue
                 of = _schema(kind, root, over)
                 before = len(problems)
-                if not _valid(_validators(over)[of], root, "the file", problems):
+                if not _valid(_validators()[of], root, "the file", problems):
                     continue
                 if known and len(problems) == before:
                     valid[known] = pickle.dumps((of, root), 5)
@@ -144,11 +144,8 @@ def _is_integer(_: Any, value: Any) -> bool:
 
 
 @functools.cache
-def _validators(over: bool) -> dict[str, Any]:
-    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known.
-
-    An overlay needs no sources.
-    """
+def _validators() -> dict[str, Any]:
+    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known."""
     import jsonschema
     import referencing
 
@@ -157,22 +154,10 @@ def _validators(over: bool) -> dict[str, Any]:
     validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
-    if over:
-        files = {name: _without_sources(schema) for name, schema in files.items()}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
     return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
-
-
-def _without_sources(schema: Any) -> Any:
-    """The same schema, in which sources are not required."""
-    if isinstance(schema, dict):
-        return {
-            k: [x for x in v if x != "sources"] if k == "required" and isinstance(v, list) else _without_sources(v)
-            for k, v in schema.items()
-        }
-    return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
 
 
 # --------------------------------------------------------------------------- schema errors in words

@@ -27,6 +27,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
         descriptors,
         named,
         names,
+        titles,
         words,
         enumerations,
         bitfields,
@@ -144,6 +145,20 @@ def names(model: m.Model, problems: Problems) -> None:
                 if name in used:
                     problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
                 used.add(name)
+
+
+def titles(model: m.Model, problems: Problems) -> None:
+    """Two commands or data fields of a set have different titles: pages and search results show nothing else.
+
+    Responses may share that of their command.
+    """
+    for s in model.families:
+        used: dict[tuple[str, str], str] = {}
+        for f in s.fields:
+            for o in f.occurrences if f.role != m.RESPONSE else ():
+                other = used.setdefault((o.set_name, o.title), f.name)
+                if other != f.name:
+                    problems.add(o.position, f"'{f.name}' has the title '{o.title}' of '{other}'; give it another")
 
 
 def words(model: m.Model, problems: Problems) -> None:

@@ -41,6 +41,8 @@ class Layout:
     inside: bool = False
     whole: Node | None = None  # the field, for what it says of all its values
     before: int = 0  # bytes of the record around it, of a union's case
+    unknown: str = ""  # letters of the command that are no functions, reported where they are
+    unclear: bool = False  # a parameter is required for something wrong, so that the order says nothing
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
 
@@ -144,6 +146,8 @@ class Layout:
         if "const" in node:
             return self.constant(node, name, element)
         length = node.scalar("count")
+        if isinstance(element, m.Struct) and element.min_size > m.MAX_FIELD_DATA:
+            length = None  # said of the structure; whether it may be an array would only repeat that
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
             self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
             return None
@@ -230,8 +234,11 @@ class Layout:
             self.problem(
                 place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
             )
+            self.unclear = True
             return ()
         extra = [c for c in letters or "" if c not in self.functions]
+        self.unclear = self.unclear or bool(extra)
+        extra = [c for c in extra if c not in self.unknown]
         if extra:
             self.problem(
                 node["for"].position,
@@ -316,18 +323,28 @@ class Layout:
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
         words = self.types.vocabulary
         selector = m.Parameter("function", words.selector, None, "What to do with the setting.", selector=True)
-        for function in words.letters(self.functions):
-            needs = [function in p.required_for for p in parameters]
-            if not all(needs[: sum(needs)]):
-                late = parameters[len(needs) - 1 - needs[::-1].index(True)]
-                self.problem(
-                    late.position,
-                    f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
-                    "what a function requires must come first",
-                )
-        self.check_groups(parameters)
+        if not self.unclear and self.check_order(parameters):
+            self.check_groups(parameters)
         whole = (selector, *parameters)
         return Record(whole, selector.size, extent.most(whole))
+
+    def check_order(self, parameters: Sequence[m.Parameter]) -> bool:
+        """One problem for each parameter that functions do not require, though they require one behind it."""
+        late: dict[tuple[str, str], list[str]] = {}
+        places = {p.name: p.position for p in parameters}
+        for function in self.types.vocabulary.letters(self.functions):
+            needs = [function in p.required_for for p in parameters]
+            if not all(needs[: sum(needs)]):
+                first = needs.index(False)
+                behind = needs.index(True, first)
+                late.setdefault((parameters[first].name, parameters[behind].name), []).append(function.name)
+        for (early, name), functions in late.items():
+            self.problem(
+                places[name],
+                f"'{name}' is required for {', '.join(functions)}, but '{early}' before it is not; "
+                "what a function requires must come first",
+            )
+        return not late
 
     def check_groups(self, parameters: Sequence[m.Parameter]) -> None:
         """Those that may be absent must have something that tells, and the same for a counter and its array."""

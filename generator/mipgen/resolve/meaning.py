@@ -45,10 +45,19 @@ def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> t
     return manual, section
 
 
+#: Scalars that are no numbers.
+_WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
+
+
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
     """One unit for all elements, or one for each."""
     given = node.get("unit")
     if given is None or given.value is None:
+        return ()
+    kinds = {m.Enum: "an enumeration", m.Bitfield: "a bitfield"}
+    what = kinds.get(type(p.element)) or _WITHOUT_UNIT.get(getattr(p.element, "kind", ""))
+    if what is not None:
+        problem(node.keys["unit"], f"'{p.name}' is {what}, which has no unit; remove it")
         return ()
     entries = list(given) if isinstance(given.value, list) else [given]
     for entry in entries:

@@ -42,7 +42,8 @@ class Families:
     def family(self, node: Node) -> m.Family:
         name = node["name"].value
         sets = self.sets(node)
-        kind = sets[0].kind
+        kind = self.meant(node, sets[0])
+        sets = tuple(replace(s, kind=kind) for s in sets) if kind != sets[0].kind else sets
         common = {
             name: sources(entry, self.types.vocabulary, self.problems, "every_field")
             for name, entry in (node["sets"].items() if "sets" in node else ())
@@ -60,6 +61,26 @@ class Families:
             sources(node, self.types.vocabulary, self.problems), self.named(node, kind),
             sentences(node, "uncertain"), node.position,
         )  # fmt: skip
+
+    def meant(self, node: Node, first: m.Set) -> m.Kind:
+        """The kind of a set. If all its fields are of the other one, its number is wrong, and not each of them."""
+        entries = [*(node.get("fields") or ()), *(node.get("named") or ())]
+        commands = first.kind == "command"
+        wrong, others = (m.DATA, (m.COMMAND, m.RESPONSE)) if commands else (m.COMMAND, (m.DATA,))
+        roles = {role for entry in entries for role in ROLES if role in entry}
+        if len(entries) < 2 or wrong not in roles or roles & {*others}:
+            return first.kind
+        kind: m.Kind = "command" if wrong == m.COMMAND else "data"
+        if "set" not in node and commands:
+            return kind  # reported: such a set is no part of a family
+        number = node["set"] if "set" in node else next(n["set"] for _, n in node["sets"].items())
+        what, right = ("commands", "0x01 to 0x7F") if wrong == m.COMMAND else ("data fields", "0x80 to 0xFE")
+        self.problems.add(
+            number.position,
+            f"0x{first.number:02X} is a {first.kind} set, but all fields of '{node['name'].value}' are {what}; "
+            f"use {right}, or begin its fields with '{m.DATA if wrong == m.COMMAND else m.COMMAND}: 0x..'",
+        )
+        return kind
 
     def sets(self, node: Node) -> tuple[m.Set, ...]:
         """The descriptor sets of a family: the one that has its name, or those below `sets`."""
@@ -101,7 +122,9 @@ class Families:
             known = "".join(f.letter for f in self.types.vocabulary.functions)
             self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {known}")
             letters = "".join(c for c in letters if c not in unknown)
-        record = self.types.record(list(node.get("parameters") or ()), family, letters, whole=node)
+        record = self.types.record(
+            list(node.get("parameters") or ()), family, letters, whole=node, unknown="".join(unknown)
+        )
         occurrences = places.of(node)
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,

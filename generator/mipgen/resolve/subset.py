@@ -5,6 +5,7 @@ The result is a model, so that a part is generated like the whole.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, replace
 
@@ -28,10 +29,23 @@ class Selection:
 
 def select(model: m.Model, selection: Selection) -> m.Model:
     """The part of the model that is selected."""
+    selection = replace(selection, sets=tuple(_set_name(model, word) for word in selection.sets))
     _check(model, selection)
     needed = _needed(model, _asked(model, selection), selection.devices)
     devices = tuple(d for d in model.devices if not selection.devices or d.id in selection.devices)
     return _only(model, needed, devices)
+
+
+def _set_name(model: m.Model, word: str) -> str:
+    """The name of the set that is given by its name, or by its number as manuals print it: 0x80."""
+    if not re.fullmatch("0[xX][0-9A-Fa-f]{1,2}", word):
+        return word
+    number = int(word, 16)
+    s = next((s for s in model.sets if s.number == number), None)
+    if s is None:
+        known = ", ".join(f"0x{s.number:02X}" for s in sorted(model.sets, key=lambda s: s.number))
+        raise Failure(f"no set has the number 0x{number:02X}; known: {known}")
+    return s.name
 
 
 def left_out(whole: m.Model, part: m.Model) -> str:

@@ -140,16 +140,19 @@ class Types:
         for name, entry in node["bits"].items():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
                 self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
+                several.append(_nowhere(name))
                 continue
             span = entry.get("bits") or entry.get("bit") or entry
             parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
             if parts is None:
                 self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
+                several.append(_nowhere(name))
                 continue
             low, high = int(parts[1]), int(parts[2] or parts[1])
             if high < low or high >= width:
                 wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
                 self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
+                several.append(_nowhere(name))
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
@@ -180,12 +183,14 @@ class Types:
         plain: bool = False,
         inside: bool = False,
         whole: Node | None = None,
+        unknown: str = "",
     ) -> Record:
         """The layout of these parameters. `functions`: letters of a command that has a selector.
         `plain`: a response that repeats its command's parameters, where presence plays no part.
         `inside`: a structure, whose parameters are always there.
-        `whole`: the field, whose `valid` holds for all values that have none of their own."""
-        build = Layout(self, owner, functions, plain, inside, whole)
+        `whole`: the field, whose `valid` holds for all values that have none of their own.
+        `unknown`: letters of the command that no function has."""
+        build = Layout(self, owner, functions, plain, inside, whole, unknown=unknown)
         for node in self.included(nodes, owner):
             build.add(node)
         return build.finish()
@@ -210,3 +215,8 @@ class Types:
             for name, node in parts.items():
                 if (owner, name) not in self._included:
                     self.problems.add(node.position, f"no field includes the part '{name}'; include it, or remove it")
+
+
+def _nowhere(name: str) -> m.Bits:
+    """In place of a bit whose number is wrong, so that what names it is not wrong, too."""
+    return m.Bits(name, 0, 0, "", alias=True)

@@ -100,7 +100,7 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
         key=key,
         value=value,
         type=reading,
-        units=meaning.units(node, p, words.units, problem),
+        units=meaning.units(node, replace(p, element=reading) if reading else p, words.units, problem),
         elements=meaning.elements(p, frame, words.frames),
         frame=frame,
         minimum=low,

@@ -52,7 +52,6 @@ uint16_t mip_model_number(const char *text, size_t size) {
     while (at < size && text[at] == ' ') {
         at++;
     }
-    const size_t first = at;
     for (; at < size && text[at] >= '0' && text[at] <= '9'; at++) {
         number = 10 * number + (uint32_t)(text[at] - '0');
         if (number > UINT16_MAX) {
@@ -61,7 +60,7 @@ uint16_t mip_model_number(const char *text, size_t size) {
     }
     const bool ends =
         at == size || text[at] == '.' || text[at] == '-' || text[at] == ' ' || text[at] == '\0';
-    return (uint16_t)(ends && at - first >= 4 ? number : 0);
+    return (uint16_t)(ends ? number : 0);
 }
 
 const struct mip_profile_field *mip_profile_supports(const struct mip_profile *profile,
