@@ -129,19 +129,14 @@ def meaning(p: m.Parameter, values: dict[str, Any], device: str) -> Any:
     return p.element
 
 
-def item(op: m.Operation, value: Any, t: Any) -> str:
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return scalar(value, op.scalar, t)
-        case m.BitsOp():
-            return flags(t, int.from_bytes(bytes(value), "little"), op.size)
-        case m.TextOp():
-            return quoted(value)
-        case m.ArrayOp() if isinstance(t, m.Bitfield) and t.scalar is None:
-            return flags(t, int.from_bytes(bytes(value), "little"), t.size)
-        case m.ArrayOp():
-            return "[" + ", ".join(item(op.item, v, t) for v in value) + "]"
-    raise AssertionError(op)
+def item(p: m.Parameter, value: Any, t: Any) -> str:
+    if p.kind == "text":
+        return quoted(value)
+    if p.kind == "bits" or (p.kind == "array" and isinstance(t, m.Bitfield) and t.scalar is None):
+        return flags(t, int.from_bytes(bytes(value), "little"), t.size)
+    if p.kind == "array":
+        return "[" + ", ".join(item(p.item, v, t) for v in value) + "]"
+    return scalar(value, p.scalar, t)
 
 
 def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
@@ -164,9 +159,7 @@ def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
                 yield from (f"  {line}" for line in lines(q, one, device))
     else:
         unit = ", ".join(p.units)
-        yield f"{p.name}: {item(p.operation, value, meaning(p, values, device))}" + (
-            f" {unit}" if unit not in ("", "1") else ""
-        )
+        yield f"{p.name}: {item(p, value, meaning(p, values, device))}" + (f" {unit}" if unit not in ("", "1") else "")
 
 
 def hexadecimal(data: bytes) -> str:
