@@ -37,7 +37,7 @@ def test_every_descriptor_is_a_kind_with_a_type(spec: str) -> None:
     assert set(homes) == {f"kind::{k['id']}" for k in kinds.values()}
     for f, o in ((x, o) for x in all_fields(of) for o in x.occurrences):
         kind = kinds[o.set << 8 | f.descriptor]
-        layouts = of.layouts(f) if len(f.occurrences) == 1 else (f,)
+        layouts = tuple(g for g in of.layouts(f) if o.set in g.sets) or (f,)
         assert kind["-role"] == f.role and kind["-orig-id"] == layouts[0].name_in(o.set)
         home = tree["types"][homes[f"kind::{kind['id']}"]]
         if len(layouts) > 1:

@@ -409,7 +409,7 @@ class ImuTimestampSelector(codec.OpenEnum):
     BEACON_NANOSECONDS = 2
     """Nanoseconds of the time beacon."""
     INTERNAL_TICKS = 3
-    """Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and for
+    """Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and for
     the nanoseconds.
     """
 

@@ -283,7 +283,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
     /** Nanoseconds of the time beacon. */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_BEACON_NANOSECONDS = 2,
     /**
-     * Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and for
+     * Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and for
      * the nanoseconds.
      */
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3

@@ -344,7 +344,7 @@ open_enum! {
         BEACON_SECONDS = 1, "beacon_seconds";
         /// Nanoseconds of the time beacon.
         BEACON_NANOSECONDS = 2, "beacon_nanoseconds";
-        /// Ticks of the internal clock. Uncertain: The value. The source prints 2 for this one and
+        /// Ticks of the internal clock. Uncertain: The value. The source gives 2 for this one and
         /// for the nanoseconds.
         INTERNAL_TICKS = 3, "internal_ticks";
     }
