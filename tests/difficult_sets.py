@@ -150,7 +150,7 @@ def lengths(longest: int = 33) -> str:
   - command: {number}
     name: f{w}
     {f}
-    title: T
+    title: T {number}
     description: D.
     sources: [{{manual: leaflet, section: S}}]
     functions: WRSLDA

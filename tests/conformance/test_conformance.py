@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
@@ -295,6 +296,43 @@ def test_wrong_values_are_refused(language: str, spec: str) -> None:
     answers = compare(language, spec, requests)
     kinds = {a["error"] for a in answers if "error" in a}
     assert kinds >= {"missing", "range", "count", "unknown"}
+
+
+@each("encode")
+def test_a_shorter_text_of_fixed_length_ends_with_spaces(language: str, spec: str) -> None:
+    """Whether it is empty or only one character short; a longer one is refused. The spaces come back."""
+    of, chance, requests, wanted = model(spec), chance_of(5), [], list[str | None]()
+    for f in all_fields(of):
+        data = samples(f, chance)[0]
+        try:
+            values, _ = codec.decode(f, data)
+        except codec.CodecError:
+            continue
+        for size, error in ((0, None), (3, None), (-1, None), (1000, "count")):
+            changed = _with_texts(f.parameters, values, size)
+            if changed != values:
+                requests.append(encode_request(set_of(f, of), f, changed))
+                wanted.append(error)
+    answers = compare(language, spec, requests)
+    assert [a.get("error") for a in answers] == wanted
+    assert len(wanted) >= 4
+    padded = [bytes.fromhex(a["packet"]) for a in answers if "packet" in a]
+    assert all(b"ABC " in p or b"    " in p or b"A" * 7 + b" " in p for p in padded)
+
+
+def _with_texts(parameters: Iterable[m.Parameter], values: dict[str, Any], size: int) -> dict[str, Any]:
+    """The same values, in which all texts of fixed length have this one, or are shorter by one if it is negative."""
+    changed = dict(values)
+    for p in parameters:
+        if p.name not in values:
+            continue
+        if p.kind == "text" and p.count is not None:
+            changed[p.name] = "A" * (p.count - 1) if size < 0 else "ABC"[:size] if size <= 3 else "A" * (p.count + 1)
+        elif p.struct:
+            changed[p.name] = _with_texts(p.struct.parameters, values[p.name], size)
+        elif p.union:
+            changed[p.name] = _with_texts(p.alternatives, values[p.name], size)
+    return changed
 
 
 def _structure(f: m.Field, name: str) -> bool:

@@ -261,6 +261,7 @@ class Interpreter:
                 for byte in value:
                     out += self.bytes("u8", byte)
             case "text":
+                value = value.ljust(op.get("count") or 0) if isinstance(value, str) else value
                 fits(op, value)
                 try:
                     out += value.encode("latin-1")

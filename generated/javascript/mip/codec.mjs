@@ -224,6 +224,11 @@ class Writer {
         }
     }
 
+    text(op, value, where) {
+        checkCount(op, value, where);
+        this.parts.push(writeText(value, where));
+    }
+
     put(op, value, values, where) {
         switch (op.kind) {
             case "scalar":
@@ -242,8 +247,7 @@ class Writer {
                 break;
             case "text":
                 refuseOther(where, value, typeof value === "string", "a text");
-                checkCount(op, value, where);
-                this.parts.push(writeText(value, where));
+                this.text(op, value.padEnd(op.count ?? 0), where); // with spaces, as those of devices are
                 break;
             case "array":
                 refuseOther(where, value, isList(value), "an array");

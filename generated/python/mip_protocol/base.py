@@ -93,16 +93,11 @@ class BaseDeviceInfo(Structure):
 
     def _write(self) -> bytes:
         out = _BASE_DEVICE_INFO_0.write(self.firmware_version)
-        codec.exactly("model_name", self.model_name, 16)
-        out += codec.text("model_name", self.model_name)
-        codec.exactly("model_number", self.model_number, 16)
-        out += codec.text("model_number", self.model_number)
-        codec.exactly("serial_number", self.serial_number, 16)
-        out += codec.text("serial_number", self.serial_number)
-        codec.exactly("lot_number", self.lot_number, 16)
-        out += codec.text("lot_number", self.lot_number)
-        codec.exactly("device_options", self.device_options, 16)
-        out += codec.text("device_options", self.device_options)
+        out += codec.padded("model_name", self.model_name, 16)
+        out += codec.padded("model_number", self.model_number, 16)
+        out += codec.padded("serial_number", self.serial_number, 16)
+        out += codec.padded("lot_number", self.lot_number, 16)
+        out += codec.padded("device_options", self.device_options, 16)
         return out
 
 

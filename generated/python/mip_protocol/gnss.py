@@ -55,8 +55,7 @@ class ReceiverInfoEntry(Structure):
 
     def _write(self) -> bytes:
         out = _RECEIVER_INFO_ENTRY_0.write(self.receiver_id, self.mip_data_descriptor_set)
-        codec.exactly("description", self.description, 32)
-        out += codec.text("description", self.description)
+        out += codec.padded("description", self.description, 32)
         return out
 
 

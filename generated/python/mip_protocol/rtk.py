@@ -140,8 +140,7 @@ class GetImeiResponse(Response):
         return cls(imei), at
 
     def _write(self) -> bytes:
-        codec.exactly("imei", self.imei, 32)
-        out = codec.text("imei", self.imei)
+        out = codec.padded("imei", self.imei, 32)
         return codec.finished(out)
 
 
@@ -175,8 +174,7 @@ class GetImsiResponse(Response):
         return cls(imsi), at
 
     def _write(self) -> bytes:
-        codec.exactly("imsi", self.imsi, 32)
-        out = codec.text("imsi", self.imsi)
+        out = codec.padded("imsi", self.imsi, 32)
         return codec.finished(out)
 
 
@@ -210,8 +208,7 @@ class GetIccidResponse(Response):
         return cls(iccid), at
 
     def _write(self) -> bytes:
-        codec.exactly("iccid", self.iccid, 32)
-        out = codec.text("iccid", self.iccid)
+        out = codec.padded("iccid", self.iccid, 32)
         return codec.finished(out)
 
 
@@ -333,8 +330,7 @@ class GetActivationCodeResponse(Response):
         return cls(activation_code), at
 
     def _write(self) -> bytes:
-        codec.exactly("activation_code", self.activation_code, 32)
-        out = codec.text("activation_code", self.activation_code)
+        out = codec.padded("activation_code", self.activation_code, 32)
         return codec.finished(out)
 
 
@@ -368,8 +364,7 @@ class GetModemFirmwareVersionResponse(Response):
         return cls(modem_firmware_version), at
 
     def _write(self) -> bytes:
-        codec.exactly("modem_firmware_version", self.modem_firmware_version, 32)
-        out = codec.text("modem_firmware_version", self.modem_firmware_version)
+        out = codec.padded("modem_firmware_version", self.modem_firmware_version, 32)
         return codec.finished(out)
 
 

@@ -59,6 +59,14 @@ impl<const N: usize> VarText<N> {
         Some(Self(list))
     }
 
+    /// The same text with exactly `N` characters: padded with spaces.
+    #[must_use]
+    pub fn padded(&self) -> Text<N> {
+        let mut bytes = [b' '; N];
+        bytes.iter_mut().zip(self.0.as_slice()).for_each(|(to, from)| *to = *from);
+        Text(bytes)
+    }
+
     /// The number of characters.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -221,9 +229,7 @@ mod serde_text {
 
     impl<'de, const N: usize> Deserialize<'de> for Text<N> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let text = VarText::<N>::deserialize(deserializer)?;
-            let wrong = |_| de::Error::invalid_length(text.len(), &Visitor::<N>);
-            <[u8; N]>::try_from(text.0.as_slice()).map(Text).map_err(wrong)
+            VarText::<N>::deserialize(deserializer).map(|text| text.padded())
         }
     }
 }

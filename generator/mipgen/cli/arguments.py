@@ -39,7 +39,7 @@ classes (the second word of a line):
   reading     what a device makes of a shared parameter: wire if its type, unit, frame or
               valid flag changed, else compatible
 
-changes that do not count, for --ignore; * stands for any text, and without 'class' all
+changes that do not count, for --ignore; * matches any text, and without 'class' all
 changes of the subject are meant:
   ignore:
     - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a mistake.}

@@ -3,7 +3,7 @@
     ignore:
       - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a misprint of ours.}
 
-Without a `class`, every change of the subject is ignored. `*` in a subject stands for any text. An entry that ignores
+Without a `class`, every change of the subject is ignored. `*` in a subject matches any text. An entry that ignores
 nothing is a mistake, so that the list stays as short as it can be.
 """
 

@@ -453,6 +453,11 @@ def text(name: str, value: Any) -> bytes:
         raise EncodeError("range", f"{name}: characters must be one byte each") from None
 
 
+def padded(name: str, value: Any, count: int) -> bytes:
+    """The characters of a text of fixed length; a shorter one ends with spaces, as those of devices do."""
+    return text(name, exactly(name, value.ljust(count) if isinstance(value, str) else value, count))
+
+
 def mismatch(name: str, tag: object) -> EncodeError:
     return EncodeError("tag", f"{name} is not the member that {tag!r} selects")
 

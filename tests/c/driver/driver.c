@@ -402,13 +402,17 @@ static const char *get_items(const struct json *j, const struct mip_parameter *p
     if (j->kind != (text ? JSON_STRING : JSON_LIST)) {
         return REQUEST;
     }
-    if (j->size > p->capacity || (p->length == MIP_LENGTH_FIXED && j->size != p->capacity)) {
+    const bool fixed = p->length == MIP_LENGTH_FIXED;
+    if (j->size > p->capacity || (fixed && !text && j->size != p->capacity)) {
         return "count";
     }
     if (p->length == MIP_LENGTH_REST) {
         record[p->count_offset] = (uint8_t)j->size;
     }
     if (text) {
+        if (fixed) { // as by mip_copy_text, but a text may have a NUL
+            memset(at, ' ', p->capacity);
+        }
         return get_text(j, (char *)at);
     }
     for (const struct json *item = j->first; item != NULL; item = item->next) {

@@ -508,7 +508,17 @@ fn devices_tell_what_is_not_certain() {
 
 #[test]
 fn model_numbers_begin_model_and_serial_numbers() {
-    let found = ["6254", "  6254-4220      ", "6251.12345", "6254 x", "6253\0\0", "06254", "65535", "625", " 42-1"];
+    let found = [
+        "6254",
+        "  6254-4220      ",
+        "6251.12345",
+        "6254 x",
+        "6253\0\0",
+        "06254",
+        "65535",
+        "625",
+        " 42-1",
+    ];
     let numbers = [6254, 6254, 6251, 6254, 6253, 6254, 65535, 625, 42];
     for (text, number) in found.into_iter().zip(numbers) {
         assert_eq!(devices::model_number(text), Some(number), "{text:?}");

@@ -423,8 +423,7 @@ impl<const N: usize> ToValue for Text<N> {
 
 impl<const N: usize> FromValue for Text<N> {
     fn from_value(value: &Value) -> Result<Self, ValueError> {
-        let text = VarText::<N>::from_value(value)?;
-        <[u8; N]>::try_from(text.0.as_slice()).map(Self).map_err(|_| ValueError::Count)
+        Ok(VarText::<N>::from_value(value)?.padded())
     }
 }
 

@@ -295,8 +295,7 @@ class Strings(Shared, Data):
         return cls(model, name, rest), at
 
     def _write(self) -> bytes:
-        codec.exactly("model", self.model, 16)
-        out = codec.text("model", self.model)
+        out = codec.padded("model", self.model, 16)
         out += _STRINGS_0.write(codec.count("name", self.name, 236))
         codec.at_most("name", self.name, 236)
         out += codec.text("name", self.name)

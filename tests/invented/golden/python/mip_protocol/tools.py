@@ -467,8 +467,7 @@ class ChoiceResponse(Response):
         elif self.shape == 4:
             if self.parameters is None or isinstance(self.parameters, Structure):
                 raise codec.mismatch("parameters", self.shape)
-            codec.exactly("parameters", self.parameters, 8)
-            out += codec.text("parameters", self.parameters)
+            out += codec.padded("parameters", self.parameters, 8)
         elif self.parameters is not None:
             raise codec.mismatch("parameters", self.shape)
         return codec.finished(out)
@@ -1740,8 +1739,7 @@ class Choice(Command[R]):
             elif self.shape == 4:
                 if self.parameters is None or isinstance(self.parameters, Structure):
                     raise codec.mismatch("parameters", self.shape)
-                codec.exactly("parameters", self.parameters, 8)
-                out += codec.text("parameters", self.parameters)
+                out += codec.padded("parameters", self.parameters, 8)
             elif self.parameters is not None:
                 raise codec.mismatch("parameters", self.shape)
         return codec.finished(out)
