@@ -160,9 +160,14 @@ class Reader:
 
     def layout(self, layout: dict[str, Any], symbols: dict[str, str]) -> list[Leaf]:
         about = frozenset(layout["frames"]) if "frames" in layout else None
-        most = {p["by"]: p["max"] for p in layout["parameters"] if "max" in p and "by" in p}
-        leaves = (leaf for p in layout["parameters"] for leaf in self._parameter(p, "", about, symbols))
-        return [replace(leaf, most=most.get(leaf.path)) for leaf in leaves]
+        return self._record(layout["parameters"], "", about, symbols)
+
+    def _record(
+        self, record: list[dict[str, Any]], before: str, about: frozenset[str] | None, symbols: dict[str, str]
+    ) -> list[Leaf]:
+        most = {before + p["by"]: p["max"] for p in record if "max" in p and "by" in p}
+        leaves = [leaf for p in record for leaf in self._parameter(p, before, about, symbols)]
+        return [replace(x, most=most[x.path]) if x.path in most else x for x in leaves]
 
     def _parameter(
         self, p: dict[str, Any], before: str, about: frozenset[str] | None, symbols: dict[str, str]
@@ -189,8 +194,7 @@ class Reader:
         elif p["type"] != "struct":
             one = [replace(base, types=tuple(self._types(p)))]
         elif p["struct"] in self.structs:
-            members = self.structs[p["struct"]]
-            inside = [leaf for q in members for leaf in self._parameter(q, f"{base.path}.", None, symbols)]
+            inside = self._record(self.structs[p["struct"]], f"{base.path}.", None, symbols)
             one = [replace(x, needed=base.needed) for x in inside]
         else:
             one = [replace(base, scalar="unknown")]

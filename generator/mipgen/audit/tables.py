@@ -310,8 +310,8 @@ def _meaning(text: str, element: str, about: str) -> dict[str, Any]:
         found["range"] = [0.0, 1.0]
     elif re.search(r"\+ ?/? ?- ?pi\b|\[-pi, pi\]", text, re.IGNORECASE):
         found["range"] = [-pi, pi]
-    elif re.search(r"\bLimit \d+\.", text):
-        found["range"] = [None, float(re.findall(r"\bLimit (\d+)\.", text)[0])]
+    elif re.search(r"\bLimit(ed to)? \d+\.", text):
+        found["range"] = [None, float(re.findall(r"\bLimit(?:ed to)? (\d+)\.", text)[0])]
     elif re.search(r"count(ed|ing) from 1|start(ing|s) (with|at|from) 1|\(1, ?2,|must be > 0", text, re.IGNORECASE):
         found["range"] = [1.0, None]
     floats = element not in ("bool", "u8", "u16")

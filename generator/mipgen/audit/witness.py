@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from pathlib import Path
 from typing import Any
 
@@ -247,7 +247,7 @@ class _Layout:
             ours, theirs = ours[:known], theirs[:known]
         if len(ours) != len(theirs):
             self.note(f"{len(ours)} numbers, witness {len(theirs)} ({_brief(ours)}; witness {_brief(theirs)})")
-            return  # what belongs together is not known
+            ours, theirs = _common(ours, theirs)
         self.repeats(ours, theirs)
         self.names(ours, theirs)
         for a, b in zip(ours, theirs, strict=False):
@@ -459,6 +459,13 @@ def _composed(span: tuple[int, int], spans: Iterable[tuple[int, int]]) -> bool:
         if (low, n) != span and low >= first and low + n <= first + width:
             covered |= ((1 << n) - 1) << low
     return covered == ((1 << width) - 1) << first
+
+
+def _common(ours: list[Leaf], theirs: list[Leaf]) -> tuple[list[Leaf], list[Leaf]]:
+    """What certainly belongs together where the lengths differ: up to the first number of another type."""
+    pairs = takewhile(lambda pair: pair[0].scalar == pair[1].scalar, zip(ours, theirs, strict=False))
+    count = len(list(pairs))
+    return ours[:count], theirs[:count]
 
 
 def _expanded(leaves: list[Leaf]) -> list[Leaf]:
