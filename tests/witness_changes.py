@@ -22,7 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT / "generator"))
 
-from mipgen.audit import witness  # noqa: E402
+from mipgen.audit import witnesses  # noqa: E402
 from mipgen.read import loader  # noqa: E402
 from mipgen.read.documents import Document  # noqa: E402
 from mipgen.read.nodes import Node  # noqa: E402
@@ -174,7 +174,7 @@ def finder() -> str:
         problems.raise_if_any()
     except SpecError:
         return "validation"
-    return "witness" if witness.audit(model, ROOT / "spec/witness").lines() else ""
+    return "witness" if witnesses.audit(model, ROOT / "spec/witness").lines() else ""
 
 
 def run(count: int, seed: int, anywhere: bool) -> list[tuple[Place, str]]:

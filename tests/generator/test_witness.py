@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.audit import tables, witness
+from mipgen.audit import tables, witnesses
 from mipgen.read.problems import SpecError
 from small_specs import load
 from support import ROOT, SEED, model
@@ -77,11 +77,11 @@ named: {}
 """
 
 
-def report(folder: Path, facts: str = FACTS, accepted: str = "") -> witness.Report:
+def report(folder: Path, facts: str = FACTS, accepted: str = "") -> witnesses.Report:
     (folder / "book.yaml").write_text(facts, "utf-8")
     if accepted:
         (folder / "accepted.yaml").write_text(accepted, "utf-8")
-    return witness.audit(load(SPEC), folder)
+    return witnesses.audit(load(SPEC), folder)
 
 
 def findings(folder: Path, facts: str = FACTS, accepted: str = "") -> list[str]:
@@ -186,7 +186,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 
 def test_the_specification_agrees_with_its_witnesses() -> None:
-    found = witness.audit(model("real"), ROOT / "spec/witness")
+    found = witnesses.audit(model("real"), ROOT / "spec/witness")
     assert found.lines() == []
     assert found.counts["layouts"] > 700
     assert found.counts["units"] > 1200
@@ -263,5 +263,5 @@ def test_extracted_facts_are_a_witness(tmp_path: Path) -> None:
     folder = tmp_path / "witness"
     folder.mkdir()
     (folder / "book.yaml").write_text(tables.dump(tables.extract("book", path)), "utf-8")
-    found = witness.audit(load(SPEC), folder)
+    found = witnesses.audit(load(SPEC), folder)
     assert [d.at for d in found.differences] == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]

@@ -258,7 +258,7 @@ def _of_another_time(name: str, *folders: Path) -> Model:
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk, witness
+    from mipgen.audit import devices, manuals, sdk, witnesses
     from mipgen.read.problems import nearest
 
     if not options.manual and options.sdk is None and options.witness is None:
@@ -284,7 +284,7 @@ def audit(options: Namespace) -> int:
     if options.witness is not None:
         if not options.witness.is_dir():
             raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
-        report = witness.audit(model, options.witness)
+        report = witnesses.audit(model, options.witness)
         lines += report.lines()
         print(report.summary())
     print("".join(f"{line}\n" for line in lines), end="")
