@@ -56,7 +56,8 @@ class Report:
 
     def summary(self) -> str:
         facts = ", ".join(f"{number} {kind}" for kind, number in sorted(self.counts.items()))
-        return f"witnesses: {facts}; {self.accepted} differences are accepted"
+        rest = f"{self.accepted} differences are accepted; of {len(self.alone)} fields there is no witness"
+        return f"witnesses: {facts}; {rest}"
 
 
 def audit(model: m.Model, folder: Path) -> Report:
@@ -96,7 +97,6 @@ class _Compared:
         self.seen: set[str] = set()
         self.leaves: dict[str, list[Leaf]] = {}
         self.counts: Counter[str] = Counter()
-        self.new_pairs: Counter[tuple[str, str]] = Counter()
 
     def run(self) -> None:
         for name, facts in self.witnesses.items():
@@ -128,7 +128,6 @@ class _Compared:
         best = min(tries, key=lambda one: len(one.found))
         self.found += best.found
         self.counts += best.counts
-        self.new_pairs += best.new_pairs
         self.seen.add(best.field.full_name)
         for other in sets:
             if other != m.SHARED_SET and other not in best.field.sets:
@@ -182,7 +181,6 @@ class _Compared:
         one.type(Leaf(type, "", position=ours.position), (ours,), theirs)
         self.found += one.found
         self.counts += one.counts
-        self.new_pairs += one.new_pairs
 
 
 class _Layout:
@@ -195,7 +193,6 @@ class _Layout:
         self._field = field
         self.found: list[Difference] = []
         self.counts: Counter[str] = Counter()
-        self.new_pairs: Counter[tuple[str, str]] = Counter()
 
     @property
     def field(self) -> m.Field:
@@ -212,13 +209,7 @@ class _Layout:
 
     def same_names(self, ours: Sequence[str], theirs: Sequence[str]) -> bool:
         """Is each of our names at a place one of theirs there, or known to mean the same as one?"""
-        good = True
-        for a in ours:
-            if not any(self.same(a, b) for b in theirs):
-                good = False
-                best = max(theirs, key=lambda b: SequenceMatcher(None, normal(a), normal(b)).ratio())
-                self.new_pairs[a, best] += 1
-        return good
+        return all(any(self.same(a, b) for b in theirs) for a in ours)
 
     def same(self, ours: str, theirs: str) -> bool:
         return normal(ours) == normal(theirs) or (ours, theirs) in self.pairs
