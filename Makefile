@@ -129,6 +129,7 @@ $(BUILD)/biome/stamp: tests/javascript/biome/package-lock.json
 .PHONY: check
 check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
+	@$(if $(wildcard $(SPEC)/witness),$(MIPGEN) audit --spec $(SPEC) --witness $(SPEC)/witness)
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
 	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(VENV)/bin/ruff check --quiet .

@@ -36,6 +36,8 @@ FAULTS = {"_fault", "Fault", "_unclosed"}
 UNREACHABLE = {
     "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to add to the specification: no {files}')":
         "test_overlay.py::test_messages",
+    "loader: problems.add(Position(shown(folder), 1, 1), 'there are no witnesses here: no .yaml file')":
+        "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set has a field; write one, in a file of sets/')":
         "test_no_field_at_all",
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",

@@ -17,7 +17,7 @@ import jsonschema
 import pytest
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
-from mipgen.read.loader import LAYOUT
+from mipgen.read.loader import ACCEPTED, LAYOUT, WITNESSES
 from support import model
 
 ROOT = Path(__file__).parents[2]
@@ -25,7 +25,7 @@ SCHEMAS = ROOT / "spec/schema"
 FILES = [
     (kind, path)
     for spec in (ROOT / "spec", ROOT / "tests/invented/spec", BASE)
-    for kind, pattern in LAYOUT.items()
+    for kind, pattern in {**LAYOUT, **WITNESSES}.items()
     for path in sorted(spec.glob(pattern))
 ]
 
@@ -125,11 +125,12 @@ def test_a_file_names_its_schema(kind: str, path: Path) -> None:
     assert found, f"{path}: the first line must name the schema"
     text = path.read_text("utf-8")
     several = kind == "device" and ("\ndevices:\n" in text or "\nfamilies:\n" in text)
-    assert (path.parent / found[1]).resolve() == SCHEMAS / f"{'devices' if several else kind}.schema.json"
+    of = "devices" if several else ACCEPTED if path.stem == ACCEPTED else kind
+    assert (path.parent / found[1]).resolve() == SCHEMAS / f"{of}.schema.json"
 
 
 def test_every_kind_has_files() -> None:
-    assert {kind for kind, _ in FILES} == set(LAYOUT)
+    assert {kind for kind, _ in FILES} == {*LAYOUT, *WITNESSES}
 
 
 def accept() -> None:

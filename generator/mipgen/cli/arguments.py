@@ -164,6 +164,14 @@ def parser() -> argparse.ArgumentParser:
         metavar="FOLDER",
         help="facts about the vendor's SDK and devices: layouts.yaml, names.yaml, models.yaml, devices.yaml",
     )
+    audit.add_argument(
+        "--witness", type=folder, metavar="FOLDER", help="compare with facts extracted from other sources: spec/witness"
+    )
+    audit.add_argument(
+        "--extract",
+        action="store_true",
+        help="extract the facts of the tables of each --manual and write them to witness/ID.yaml of the specification",
+    )
 
     targets = command("targets", "targets", "list the targets")
     targets.add_argument("--names", action="store_true", help="print only their names")

@@ -302,11 +302,11 @@ class Unreadable(Failure):
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk, witness
+    from mipgen.audit import devices, manuals, sdk, witness, witnesses
     from mipgen.read.problems import nearest
 
-    if not options.manual and options.sdk is None:
-        raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
+    if not options.manual and options.sdk is None and options.witness is None:
+        raise Failure("nothing to compare with; give --witness FOLDER, --manual ID=FILE or --sdk FOLDER")
     model, _ = _load(options)
     known = [x.id for x in model.protocol.manuals]
     findings = []
@@ -316,14 +316,40 @@ def audit(options: Namespace) -> int:
             raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
         if not Path(file).is_file():
             raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
-        findings += manuals.audit(model, manual, Path(file))
+        if options.extract:
+            _extract(_specs(options)[0], manual, Path(file))
+        else:
+            findings += manuals.audit(model, manual, Path(file))
     if options.sdk is not None:
         if not options.sdk.is_dir():
             raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
         findings += [a for each in (sdk, devices, witness) for a in each.audit(model, options.sdk)]
-    print("".join(f"{f}\n" for f in findings), end="")
-    print(f"{len(findings)} findings")
-    return 1 if findings else 0
+    lines = [str(finding) for finding in findings]
+    if options.witness is not None:
+        if not options.witness.is_dir():
+            raise Failure(f"'{options.witness}': no such folder; write --witness FOLDER")
+        report = witnesses.audit(model, options.witness)
+        lines += report.lines()
+        print(report.summary())
+    print("".join(f"{line}\n" for line in lines), end="")
+    if lines and options.witness is not None:
+        print("correct the specification, or list a difference on purpose, with its reason, in accepted.yaml")
+    print(f"{len(lines)} findings")
+    return 1 if lines else 0
+
+
+def _extract(spec: Path, manual: str, file: Path) -> None:
+    """Writes what the tables of a manual state as a witness of the specification."""
+    from mipgen.audit import tables
+
+    made = spec / "witness" / f"{manual}.yaml"
+    facts = tables.extract(manual, file)
+    try:
+        made.parent.mkdir(exist_ok=True)
+        made.write_text(tables.dump(facts), "utf-8", newline="\n")
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}", str(made)) from None
+    print(f"{made}: {_count(len(facts['layouts']), 'layout')}")
 
 
 # --------------------------------------------------------------------------- others

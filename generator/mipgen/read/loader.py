@@ -36,6 +36,12 @@ LAYOUT = {
     "guide": "guides/*.yaml",
 }
 
+#: Facts from other sources, which are compared with a specification and are no part of it.
+WITNESSES = {"witness": "witness/*.yaml"}
+
+#: Of the files beside them: the differences that were judged.
+ACCEPTED = "accepted"
+
 #: A file with several devices or families, and under which keys it has them.
 DEVICES = "devices"
 PARTS = {"device": "devices", "family": "families"}
@@ -50,8 +56,10 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
     documents = _documents(spec, LAYOUT, False, problems)
+    _strays(spec, LAYOUT, problems)
     for folder in overlays:
         more = _documents(folder, OVERLAY, True, problems)
+        _strays(folder, OVERLAY, problems)
         if not more and not problems:
             files = ", ".join(OVERLAY.values())
             problems.add(Position(shown(folder), 1, 1), f"nothing to add to the specification: no {files}")
@@ -85,8 +93,15 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
             else:
                 documents.append(Document(of, name, root))
     cache.put("nodes", valid)
-    _strays(folder, layout, problems)
     return documents
+
+
+def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
+    """Reads the witnesses of a specification, and which differences from them were judged."""
+    found = _documents(folder, {kind: Path(pattern).name for kind, pattern in WITNESSES.items()}, False, problems)
+    if not found and not problems:
+        problems.add(Position(shown(folder), 1, 1), "there are no witnesses here: no .yaml file")
+    return found
 
 
 def _key(path: Path, kind: str, over: bool) -> str:
@@ -102,6 +117,8 @@ def _schema(kind: str, root: Node, over: bool) -> str:
     extension = f"{kind}_extension"
     if over and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
+    if kind == "witness" and "layouts" not in root:
+        return ACCEPTED
     return DEVICES if kind == "device" and any(many in root for many in PARTS.values()) else kind
 
 
@@ -119,7 +136,7 @@ def _visible(paths: Iterable[Path]) -> list[Path]:
 
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """Reports files in the wrong place, which would be ignored silently."""
-    known = {path for pattern in layout.values() for path in spec.glob(pattern)}
+    known = {path for pattern in (*layout.values(), *WITNESSES.values()) for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
     made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
     for path in _visible(spec.rglob("*.*")):

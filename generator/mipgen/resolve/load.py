@@ -11,6 +11,7 @@ from mipgen import model as m
 from mipgen.facts import references
 from mipgen.model import details
 from mipgen.read import loader
+from mipgen.read.documents import Document
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -40,6 +41,14 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
     problems = Problems()
     documents = loader.load(spec, overlays, problems)
     problems.raise_if_any()
+    model = resolve(documents, problems)
+    problems.raise_if_any()
+    programs = sorted(p for p in (spec / "programs").glob("*") if p.is_file())
+    return replace(model, programs=tuple((p.name, p.read_text("utf-8")) for p in programs))
+
+
+def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
+    """The model of what was read; `problems` takes what is wrong with it."""
     roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)
@@ -55,9 +64,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
         model = replace(model, simulation=simulated)
         model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
         references.check((root for several in roots.values() for root in several), model, problems)
-    problems.raise_if_any()
-    programs = sorted(p for p in (spec / "programs").glob("*") if p.is_file())
-    return replace(model, programs=tuple((p.name, p.read_text("utf-8")) for p in programs))
+    return model
 
 
 def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:

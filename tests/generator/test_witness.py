@@ -1,0 +1,267 @@
+"""The comparison with witnesses: a specification and facts that are made up, and random changes of the real one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from mipgen import cli
+from mipgen.audit import tables, witnesses
+from mipgen.read.problems import SpecError
+from small_specs import load
+from support import ROOT, SEED, model
+from witness_changes import run
+
+SPEC = """\
+set: 0x05
+name: radio
+title: Radio
+description: Commands.
+types:
+  tone: {enum: u8, description: Tone., values: {none: 0, low: 1, high: 4}}
+  state: {bitfield: u16, description: State., bits: {on: 0, level: {bits: 1-3, description: Level.}}}
+  valid: {bitfield: u8, description: Flags., bits: {speed: 0, place: 1}}
+  step: {struct: [{name: at, type: s16, unit: s, description: Time.}, {name: size, type: u8, description: Size.}]}
+fields:
+  - command: 0x01
+    name: tune
+    title: Tune
+    description: Tunes.
+    sources: [{manual: guide, section: It}]
+    functions: WR
+    parameters:
+      - {name: channel, type: u8, for: WR, range: [1, 8], description: Channel.}
+      - {name: tone, type: tone, for: W, default: low, description: Tone.}
+      - {name: state, type: state, for: W, description: State.}
+      - {name: gain, type: float, unit: s, for: W, above: 0, description: Gain.}
+      - {name: spare, type: u8, count: 3, for: W, reserved: 0}
+      - {name: num_steps, type: u8, for: W, description: Number.}
+      - {name: steps, type: step, count: num_steps, for: W, description: Steps.}
+    responses: [{response: 0x81, parameters: as_command}]
+  - command: 0x02
+    name: move
+    title: Move
+    description: Moves.
+    sources: [{manual: guide, section: It}]
+    parameters:
+      - {name: speed, type: float, unit: s, valid: valid_flags.speed, description: Speed.}
+      - {name: place, type: vector3f, unit: m, frame: sensor, valid: valid_flags.place, description: Place.}
+      - {name: valid_flags, type: valid, description: Flags.}
+"""
+
+FACTS = """\
+source: {name: made up}
+vectors: {Vector3f: [float, xyz]}
+units: {s: [seconds, sec], m: [meters]}
+layouts:
+- {key: "0x05,0x01", role: command, name: Tune, functions: WR, response: "0x81", parameters: [
+  {name: channel, type: u8, for: WR, range: [1, 8]},
+  {name: tone, type: u8, enum: Tone, for: W, default: 1},
+  {name: state, type: u16, bitfield: State, for: W},
+  {name: gain, type: float, unit: seconds, for: W, above: 0},
+  {name: spare, type: u8, count: 3, for: W},
+  {name: num_steps, type: u8, for: W},
+  {name: steps, type: struct, struct: Step, by: num_steps, for: W}]}
+- {key: "0x05,0x02", role: command, name: Move, parameters: [
+  {name: speed, type: float, unit: sec},
+  {name: place, type: float, count: 3, of: Vector3f, unit: meters, frames: [sensor]},
+  {name: valid_flags, type: u8, bitfield: Valid}]}
+structs:
+  Step: [{name: at, type: s16, unit: seconds}, {name: size, type: u8}]
+enums:
+  Tone: {type: u8, values: {NONE: 0, LOW: 1, HIGH: 4}}
+bitfields:
+  State: {type: u16, bits: {ON: [0, 1], LEVEL: [1, 3]}}
+  Valid: {type: u8, bits: {SPEED: [0, 1], PLACE: [1, 1]}}
+named: {}
+"""
+
+
+def report(folder: Path, facts: str = FACTS, accepted: str = "") -> witnesses.Report:
+    (folder / "book.yaml").write_text(facts, "utf-8")
+    if accepted:
+        (folder / "accepted.yaml").write_text(accepted, "utf-8")
+    return witnesses.audit(load(SPEC), folder)
+
+
+def findings(folder: Path, facts: str = FACTS, accepted: str = "") -> list[str]:
+    found = report(folder, facts, accepted)
+    return [f"{d.at}: {d.text}" for d in found.differences] + found.stale
+
+
+def test_what_agrees_is_no_finding(tmp_path: Path) -> None:
+    assert findings(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("fact", "other", "message"),
+    [
+        ("unit: sec}", "unit: meters}", "move: speed: unit s, witness m"),
+        ("frames: [sensor]", "frames: [vehicle]", "move: place.x: frame sensor, witness vehicle"),
+        ("ON: [0, 1]", "ON: [5, 1]", "tune: state: bit 0 (on) is not in State"),
+        ("LEVEL: [1, 3]", "LEVEL: [1, 2]", "tune: state: bit 1-2 (LEVEL of State) is missing"),
+        ("HIGH: 4", "HIGH: 3", "tune: tone: value 3 (HIGH of Tone) is missing"),
+        ("NONE: 0, LOW: 1", "NONE: 1, LOW: 0", "tune: tone: value 0 is none, witness LOW"),
+        ("default: 1", "default: 4", "tune: tone: default 1, witness 4"),
+        ("range: [1, 8]", "range: [1, 9]", "tune: channel: range minimum 1, maximum 8, witness minimum 1, maximum 9"),
+        ("above: 0", "above: 1", "tune: gain: range above 0, witness above 1"),
+        ("num_steps, type: u8, for: W}", "num_steps, type: u8, for: WR}", "tune: num_steps: for W, witness WR"),
+        ("{name: at, type: s16", "{name: at, type: u16", "tune: steps.at: type s16, witness u16"),
+        ("count: 3, for", "count: 4, for", "tune: 10 numbers, witness 11"),
+        ("by: num_steps", "by: channel", "tune: steps.at: repeated by num_steps, witness channel"),
+        ("{name: size, type: u8}", "{name: length, type: u8}", "tune: steps.size: name size, witness length"),
+        ("SPEED: [0, 1], PLACE: [1, 1]", "PLACE: [0, 1], SPEED: [1, 1]", "move: speed: valid by bit 0, witness 1"),
+        ("functions: WR", "functions: WRS", "tune: functions WR, witness WRS"),
+        ('response: "0x81"', 'response: "0x82"', "tune: responses 0x81, witness 0x82"),
+        ('"0x05,0x02"', '"0x05,0x03"', "0x05,0x03: no such command; the witness has a layout"),
+        ("named: {}", 'named: {"0x05,0x33": LOST}', "0x05,0x33: the witness names this descriptor"),
+    ],
+)  # fmt: skip
+def test_a_difference(tmp_path: Path, fact: str, other: str, message: str) -> None:
+    assert FACTS.count(fact) == 1
+    found = findings(tmp_path, FACTS.replace(fact, other))
+    assert any(line.removeprefix("radio.").startswith(message) for line in found), found
+
+
+def test_parameters_in_another_order(tmp_path: Path) -> None:
+    first, second = "  {name: channel, type: u8, for: WR, range: [1, 8]},\n", "  {name: tone, type: u8, enum: Tone"
+    swapped = FACTS.replace(first, "").replace(second, first + second)
+    assert swapped == FACTS
+    lines = FACTS.splitlines(True)
+    i = next(i for i, line in enumerate(lines) if "name: speed" in line)
+    lines[i], lines[i + 1] = lines[i + 1], lines[i]
+    assert "radio.move: speed: name speed, witness place" in findings(tmp_path, "".join(lines))
+
+
+ACCEPTED = """\
+differences:
+- witness: book
+  at: radio.move
+  reason: Measured.
+  texts:
+  - "speed: unit s, witness m"
+names: [[size, length]]
+"""
+
+
+def test_accepted_differences_and_names(tmp_path: Path) -> None:
+    facts = FACTS.replace("unit: sec}", "unit: meters}").replace("name: size", "name: length")
+    assert findings(tmp_path, facts, ACCEPTED) == []
+    further = facts.replace("{name: speed, type: float", "{name: speed, type: u32")
+    assert findings(tmp_path, further, ACCEPTED) == ["radio.move: speed: type float, witness u32"]
+
+
+def test_an_accepted_difference_that_is_gone(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, FACTS, ACCEPTED)
+    assert found.endswith("radio.move: there is no difference 'speed: unit s, witness m' (book); remove it")
+    assert "accepted.yaml:2: " in found
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("layouts: [", "not YAML"),
+        ("layouts: []\n", "'source' is missing in the file"),
+        (
+            FACTS.replace("range: [1, 8]", "rage: [1, 8]"),
+            "book.yaml:6:38: error: unknown key 'rage', did you mean 'range'?",
+        ),
+    ],
+)
+def test_a_witness_that_cannot_be_read(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(SpecError) as error:
+        report(tmp_path, text)
+    assert message in str(error.value)
+
+
+def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["audit", "--spec", str(ROOT / "spec"), "--witness"]
+    assert cli.main([*arguments, str(tmp_path / "no")]) == 1
+    assert "no such folder; write --witness FOLDER" in capsys.readouterr().err
+    assert cli.main([*arguments, str(tmp_path)]) == 1
+    assert "there are no witnesses here: no .yaml file" in capsys.readouterr().err
+    (tmp_path / "book.yaml").write_text(FACTS, "utf-8")
+    assert cli.main([*arguments, str(tmp_path)]) == 1
+    assert "0x05,0x01: no such command; the witness has a layout (book)" in capsys.readouterr().out
+
+
+def test_the_specification_agrees_with_its_witnesses() -> None:
+    found = witnesses.audit(model("real"), ROOT / "spec/witness")
+    assert found.lines() == []
+    assert found.counts["layouts"] > 700
+    assert found.counts["units"] > 1200
+
+
+def test_most_random_changes_are_found() -> None:
+    """Two of each kind; `python tests/witness_changes.py` makes 200."""
+    found = run(22, SEED, False)
+    missed = [str(place) for place, by in found if not by]
+    assert len(missed) <= 6, missed
+
+
+# --------------------------------------------------------------------------- tables of manuals
+
+MANUAL = """\
+## Rate (0x05,0x10)
+<b>Description</b>\tSets the rate in the NED frame.
+Parameter Name\tData Type\tDescription
+Field Length\tu8\t12
+Descriptor\tu8\t0x10
+Function Selector\tu8\tWrite Read [WR]
+Port [WR]\t<a href="#">u8</a>\tCounting from 1.
+Speed [W]\t<a href="#">Vector3f</a>\tSpeed [meters/second]
+Mode [W]\tu8 enum\t<table><tr><td>OFF</td><td>0</td><td></td></tr><tr><td>ON</td><td>0x01</td></tr></table>
+Flags [W]\tu16 bitfield\t<table><tr><td>a</td><td>0</td></tr><tr><td>b</td><td>1-3</td></tr></table>
+Entries [W]\tEntry[num]\tList.
+Response Data\tData Type\tDescription
+Response Descriptor\tu8\t0x90
+Sec\tu8\tSecond (0-59)
+
+5.1.1 Level (0x85, 0x04)
+\t14 (0x0E)\t0x04\tBinary Offset\tDescription\tData Type\tUnits
+\t\t\t0\tX Level\tfloat\tradians
+\t\t\t4\tY Level\tu16\tN/A
+5.1.2 Broken (0x85, 0x05)
+\t\t\t0\tX Level\tfloat\tradians
+\t\t\t8\tZ Level\tfloat\tradians
+4.2.1 Filter (0x05, 0x20)
+Description\tPossible: 0x01 - Apply 0x02 - Read. 1-1000 seconds, default = 10 seconds
+Command\t0x08\t0x20\tU8 - Function selector U8 - Enable
+\t\t\tfloat - Time (sec)
+Reply Field 1: ACK/NACK\t0x04\t0xF1\tU8 - Echo U8 - Error
+Reply Field 2\t0x09\t0xA0\tU8 - Enable float - Time (sec)
+"""
+
+
+def test_tables_of_a_manual(tmp_path: Path) -> None:
+    path = tmp_path / "manual.txt"
+    path.write_text(MANUAL, "utf-8")
+    facts = tables.extract("book", path)
+    layouts = {layout["key"]: layout for layout in facts["layouts"]}
+    assert list(layouts) == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]  # whose rows make up its length
+    rate = layouts["0x05,0x10"]
+    assert (rate["role"], rate["functions"], rate["frames"]) == ("command", "WR", ["ned"])
+    assert rate["parameters"] == [
+        {"name": "port", "type": "u8", "for": "WR", "range": [1.0, None]},
+        {"name": "speed", "type": "float", "count": 3, "of": "Vector3f", "for": "W", "unit": "meters/second"},
+        {"name": "mode", "type": "u8", "for": "W", "values": {"OFF": 0, "ON": 1}},
+        {"name": "flags", "type": "u16", "for": "W", "bits": {"a": [0, 1], "b": [1, 3]}},
+        {"name": "entries", "type": "struct", "struct": "Entry", "by": "num", "for": "W"},
+    ]
+    assert layouts["0x05,0x90"]["parameters"] == [{"name": "sec", "type": "u8", "range": [0.0, 59.0]}]
+    assert [p["type"] for p in layouts["0x85,0x04"]["parameters"]] == ["float", "u16"]
+    assert layouts["0x05,0x20"]["parameters"] == [
+        {"label": "enable", "type": "u8"},
+        {"label": "time", "type": "float", "unit": "sec", "default": 10.0, "range": [1.0, 1000.0]},
+    ]
+    assert facts["units"] == {"m/s": ["meters/second"], "rad": ["radians"], "s": ["sec"]}
+
+
+def test_extracted_facts_are_a_witness(tmp_path: Path) -> None:
+    path = tmp_path / "manual.txt"
+    path.write_text(MANUAL, "utf-8")
+    folder = tmp_path / "witness"
+    folder.mkdir()
+    (folder / "book.yaml").write_text(tables.dump(tables.extract("book", path)), "utf-8")
+    found = witnesses.audit(load(SPEC), folder)
+    assert [d.at for d in found.differences] == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]
