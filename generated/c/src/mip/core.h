@@ -525,7 +525,8 @@ MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64
 
 /** Copies as many bytes as there is room for. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
-/** Copies a string and fills the rest with spaces; `room` counts the terminating NUL too. */
+/** Copies a string, cuts what is too long, and fills the rest with spaces; `room` counts the
+ * terminating NUL too. */
 MIP_API void mip_copy_text(char *to, size_t room, const char *text);
 
 #ifdef __cplusplus
