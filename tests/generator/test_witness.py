@@ -113,8 +113,12 @@ def test_what_agrees_is_no_finding(tmp_path: Path) -> None:
         ("SPEED: [0, 1], PLACE: [1, 1]", "PLACE: [0, 1], SPEED: [1, 1]", "move: speed: valid by bit 0, witness 1"),
         ("functions: WR", "functions: WRS", "tune: functions WR, witness WRS"),
         ('response: "0x81"', 'response: "0x82"', "tune: responses 0x81, witness 0x82"),
-        ('"0x05,0x02"', '"0x05,0x03"', "0x05,0x03: no such command; the witness has a layout"),
-        ("named: {}", 'named: {"0x05,0x33": LOST}', "0x05,0x33: the witness names this descriptor"),
+        (
+            '"0x05,0x02"',
+            '"0x05,0x03"',
+            "0x05,0x03: no such command; the witness has Move: speed:float, place:float, valid_flags:u8",
+        ),
+        ("named: {}", 'named: {"0x05,0x33": LOST}', "0x05,0x33: not listed; the witness names it LOST"),
     ],
 )  # fmt: skip
 def test_a_difference(tmp_path: Path, fact: str, other: str, message: str) -> None:
@@ -182,7 +186,25 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert "there are no witnesses here: no .yaml file" in capsys.readouterr().err
     (tmp_path / "book.yaml").write_text(FACTS, "utf-8")
     assert cli.main([*arguments, str(tmp_path)]) == 1
-    assert "0x05,0x01: no such command; the witness has a layout (book)" in capsys.readouterr().out
+    assert "0x05,0x01: no such command; the witness has Tune: " in capsys.readouterr().out
+
+
+def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
+    """It may agree where a difference is accepted; what it has besides is named, with its parameters."""
+    folder, revision = tmp_path / "witness", tmp_path / "witness.yaml"
+    folder.mkdir()
+    accepted = (
+        'differences:\n- {witness: sdk, at: radio.move, reason: It is so., texts: ["speed: unit s, witness m"]}\n'
+    )
+    (folder / "sdk.yaml").write_text(FACTS.replace("unit: sec}", "unit: meters}", 1), "utf-8")
+    (folder / "accepted.yaml").write_text(accepted, "utf-8")
+    assert witnesses.audit(load(SPEC), folder).lines() == []
+    more = '- {key: "0x05,0x07", role: command, name: Sing, parameters: [{name: key, type: u16}]}\nstructs:'
+    revision.write_text(FACTS.replace("structs:", more, 1).replace("named: {}", 'named: {"0x05,0x09": HUM}'), "utf-8")
+    assert [str(d) for d in witnesses.audit(load(SPEC), folder, revision).differences] == [
+        "0x05,0x07: no such command; the witness has Sing: key:u16 (sdk)",
+        "0x05,0x09: not listed; the witness names it HUM (sdk)",
+    ]
 
 
 def test_the_specification_agrees_with_its_witnesses() -> None:

@@ -23,6 +23,9 @@ from .manuals import Finding
 
 LAYOUTS, NAMES = "layouts.yaml", "names.yaml"
 
+#: Facts about all layouts of one revision, which `witnesses` compares.
+WITNESS = "witness.yaml"
+
 #: A parameter on the wire: the name of a scalar, and how many. A vector is its number of scalars.
 Wire = tuple[str, int | str | None]
 
@@ -32,8 +35,8 @@ Spans = frozenset[tuple[int, int]]
 
 def audit(model: m.Model, folder: Path) -> list[Finding]:
     """All differences. Raises SpecError where a file cannot be read. Without both files there is nothing to compare
-    if the folder has the facts of `witness` instead."""
-    if (folder / "witness.yaml").is_file() and not any((folder / name).exists() for name in (LAYOUTS, NAMES)):
+    if the folder has a witness instead."""
+    if (folder / WITNESS).is_file() and not any((folder / name).exists() for name in (LAYOUTS, NAMES)):
         return []
     problems = Problems()
     layouts, names = (read(folder / name, name, problems) for name in (LAYOUTS, NAMES))

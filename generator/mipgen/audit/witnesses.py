@@ -60,23 +60,31 @@ class Report:
         return f"witnesses: {facts}; {rest}"
 
 
-def audit(model: m.Model, folder: Path) -> Report:
-    """Compares with all files of a folder. Raises SpecError where one cannot be read."""
+def audit(model: m.Model, folder: Path, revision: Path | None = None) -> Report:
+    """Compares with all files of a folder; or with another revision of the SDK alone, which may agree where a
+    difference is accepted. Raises SpecError where one cannot be read."""
     problems = Problems()
     documents = loader.load_witnesses(folder, problems)
+    other = None if revision is None else loader.load_witness(revision, problems)
     problems.raise_if_any()
     witnesses = {Path(d.path).stem: d.root.plain() for d in documents if d.kind == "witness"}
+    if other is not None:
+        witnesses = {"sdk": other.root.plain()}
     accepted = [d.root for d in documents if d.kind == "accepted"]
     judged = [(entry, entry.plain()) for root in accepted for entry in root.get("differences") or ()]
     compared = _Compared(model, witnesses, [root.plain() for root in accepted])
     compared.run()
     found = {(d.witness, d.at, d.text): d for d in compared.found}
     allowed = {(e["witness"], e["at"], t): node.position for node, e in judged for t in e["texts"]}
-    stale = [
-        f"{place.file}:{place.line}: {at}: there is no difference '{text}' ({witness}); remove it"
-        for (witness, at, text), place in allowed.items()
-        if (witness, at, text) not in found
-    ]
+    stale = (
+        []
+        if other is not None
+        else [
+            f"{place.file}:{place.line}: {at}: there is no difference '{text}' ({witness}); remove it"
+            for (witness, at, text), place in allowed.items()
+            if (witness, at, text) not in found
+        ]
+    )
     fresh = [d for key, d in found.items() if key not in allowed]
     alone = [f.full_name for f in model.fields if f.full_name not in compared.seen]
     return Report(fresh, stale, len(found) - len(fresh), compared.counts, alone)
@@ -104,7 +112,8 @@ class _Compared:
                 self.layout(name, facts, layout)
             for key in facts.get("named", {}):
                 if not self.known(*_numbers(key)):
-                    self.found.append(Difference(name, key, "the witness names this descriptor"))
+                    text = f"not listed; the witness names it {facts['named'][key]}"
+                    self.found.append(Difference(name, key, text))
             for x in self.accepted:
                 self.standalone(name, facts, x)
 
@@ -120,7 +129,8 @@ class _Compared:
         sets = [number, *(int(x, 16) for x in facts.get("same_layouts", {}).get(f"0x{number:02X}", ()))]
         fields = [f for f in self.model.candidates(number, descriptor) if f.role == layout["role"]]
         if not fields:
-            self.found.append(Difference(name, layout["key"], f"no such {layout['role']}; the witness has a layout"))
+            text = f"no such {layout['role']}; the witness has {layout['name']}: {_listed(layout['parameters'])}"
+            self.found.append(Difference(name, layout["key"], text))
             return
         symbols = {token: symbol for symbol, tokens in facts.get("units", {}).items() for token in tokens}
         theirs = self.reader.layout(layout, symbols)
@@ -487,6 +497,10 @@ def _range(bounds: tuple[tuple[str, float], ...] | None) -> str:
 
 def _number(key: Any) -> str:
     return str(key) if isinstance(key, int) else f"{key[0]}" if key[1] == 1 else f"{key[0]}-{key[0] + key[1] - 1}"
+
+
+def _listed(parameters: list[dict[str, Any]]) -> str:
+    return ", ".join(f"{p.get('name') or p['label']}:{p['type']}" for p in parameters) or "no parameters"
 
 
 def _brief(leaves: list[Leaf]) -> str:

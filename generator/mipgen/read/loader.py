@@ -104,6 +104,13 @@ def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
     return found
 
 
+def load_witness(path: Path, problems: Problems) -> Document | None:
+    """Reads one witness, which may lie anywhere; None if it cannot be read."""
+    root = read(path, shown(path), problems)
+    valid = root is not None and _valid(_validators()["witness"], root, "the file", problems)
+    return Document("witness", path.name, root) if root is not None and valid else None
+
+
 def _key(path: Path, kind: str, over: bool) -> str:
     """Of what is read from a file: its nodes name the file as a user would. Empty if it cannot be read."""
     try:
