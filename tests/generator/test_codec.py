@@ -92,7 +92,7 @@ def test_refused_bytes(name: str, data: str, kind: str) -> None:
         ("tools.list", {"function": 2, "count": 0}, "missing"),
         ("tools.list_response", {"count": 200, "items": [0] * 200}, "count"),
         ("tools.choice", {"function": 1, "instance": 1, "shape": 0, "parameters": {"label": "A" * 8}}, "tag"),
-        ("tools.choice", {"function": 1, "instance": 1, "shape": 4, "parameters": {"label": "A"}}, "count"),
+        ("tools.choice", {"function": 1, "instance": 1, "shape": 4, "parameters": {"label": "A" * 9}}, "count"),
         ("measurements.health", {"result": [0] * 15, "code": 0}, "count"),
         ("measurements.strings", {"model": "\u2028" * 16, "length": 0, "name": "", "rest": ""}, "range"),
         ("measurements.strings", {"model": "A" * 16, "length": 200, "name": "A" * 200, "rest": "A" * 100}, "length"),

@@ -233,7 +233,8 @@ def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypa
     package = PACKAGES[spec]
     monkeypatch.setattr(package.mip_tools.columns.walk, "_MANY", many)
     monkeypatch.setattr(package.mip_tools.columns.scan, "_MANY", many)
-    assert compare(package, streams(spec, seed=many, count=rounds(120, 3000))) > 500
+    count = rounds(120, 3000)
+    assert compare(package, streams(spec, seed=many, count=count)) > 3 * count
 
 
 @pytest.mark.usefixtures("way")

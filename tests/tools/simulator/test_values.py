@@ -24,6 +24,9 @@ PROFILES = list(devices.DEVICES.values())
 #: Parameters without a value, as the comment of spec/simulation/values.yaml says; reserved ones and flags apart.
 WITHOUT = {
     "system_data.built_in_test.result",
+    "sensor.pps_timestamp_with_flags.flags",
+    "displacement_data.displacement.displacement",
+    "displacement_data.displacement_raw.counts",
     "gnss_data.gps_iono_correction.alpha",
     "gnss_data.gps_iono_correction.beta",
     "gnss_data.galileo_iono_correction.alpha",
