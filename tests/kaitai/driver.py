@@ -99,7 +99,8 @@ def field(found: Any) -> Tree:
     if spec.get("-kind") == "layouts":
         data = data.layout
         spec = TREE["types"].get(spec["seq"][0]["type"]["cases"].get(str(data_number(found))), {})
-        name = spec.get("-orig-id")
+        if spec:  # the set is that of the packet
+            name = f"{name.partition('.')[0]}.{spec['-orig-id'].partition('.')[2]}"
     if not spec:
         assert data == raw
         return {**answer, "raw": raw.hex()}
