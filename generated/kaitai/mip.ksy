@@ -1048,6 +1048,317 @@ types:
       gnss_subsystem_fault:
         value: "(gnss_main_process_fault ? 1 : 0) + (gnss_receiver_1_stall ? 2 : 0) + (gnss_receiver_2_stall ? 4 : 0) + ((unused_27 & 1) << 3)"
         doc: "Any of these faults: GNSS does not work normally."
+  cv7_inertial_continuous_built_in_test:
+    -kind: bytes
+    meta:
+      bit-endian: le
+    doc: "Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation."
+    seq:
+      - id: system_clock_failure
+        type: b1
+        doc: The system clock has failed.
+      - id: power_fault
+        type: b1
+        doc: The power supply has a fault.
+      - id: unused_2
+        type: b2
+      - id: firmware_fault
+        type: b1
+        doc: The firmware has a fault.
+      - id: timing_overload
+        type: b1
+        doc: The processor cannot keep up.
+      - id: buffer_overrun
+        type: b1
+        doc: A data buffer was full.
+      - id: unused_7
+        type: b9
+      - id: imu_process_fault
+        type: b1
+        doc: The process of the inertial sensors has a fault.
+      - id: imu_data_rate_mismatch
+        type: b1
+        doc: Sensor data does not come at its base rate.
+      - id: imu_overrun_dropped_data
+        type: b1
+        doc: Sensor data was dropped.
+      - id: imu_stuck
+        type: b1
+        doc: The process of the inertial sensors does not advance.
+      - id: filter_process_fault
+        type: b1
+        doc: The process of the filter has a fault.
+      - id: filter_dropped_data
+        type: b1
+        doc: The filter dropped data.
+      - id: filter_rate_mismatch
+        type: b1
+        doc: Filter data does not come at its base rate.
+      - id: filter_stuck
+        type: b1
+        doc: The process of the filter does not advance.
+      - id: unused_24
+        type: b8
+      - id: imu_clock_fault
+        type: b1
+        doc: The clock of the inertial sensors has failed.
+      - id: imu_comm_fault
+        type: b1
+        doc: The inertial sensors do not communicate.
+      - id: imu_timing_overrun
+        type: b1
+        doc: A cycle of the inertial sensors takes too long.
+      - id: unused_35
+        type: b1
+      - id: imu_calibration_error_accel
+        type: b1
+        doc: The calibration of the accelerometer has a fault.
+      - id: imu_calibration_error_gyro
+        type: b1
+        doc: The calibration of the gyroscope has a fault.
+      - id: imu_calibration_error_mag
+        type: b1
+        doc: The calibration of the magnetometer has a fault.
+      - id: unused_39
+        type: b1
+      - id: accel_general_fault
+        type: b1
+        doc: The accelerometer has a fault.
+      - id: accel_over_range
+        type: b1
+        doc: The accelerometer measures near or beyond its range.
+      - id: accel_self_test_fail
+        type: b1
+        doc: The self test of the accelerometer failed.
+      - id: unused_43
+        type: b1
+      - id: gyro_general_fault
+        type: b1
+        doc: The gyroscope has a fault.
+      - id: gyro_over_range
+        type: b1
+        doc: The gyroscope measures near or beyond its range.
+      - id: gyro_self_test_fail
+        type: b1
+        doc: The self test of the gyroscope failed.
+      - id: unused_47
+        type: b1
+      - id: mag_general_fault
+        type: b1
+        doc: The magnetometer has a fault.
+      - id: mag_over_range
+        type: b1
+        doc: The magnetometer measures near or beyond its range.
+      - id: mag_self_test_fail
+        type: b1
+        doc: The self test of the magnetometer failed.
+      - id: unused_51
+        type: b1
+      - id: pressure_sensor_general_fault
+        type: b1
+        doc: The pressure sensor has a fault.
+      - id: pressure_sensor_over_range
+        type: b1
+        doc: The pressure sensor measures near or beyond its range.
+      - id: pressure_sensor_self_test_fail
+        type: b1
+        doc: The self test of the pressure sensor failed.
+      - id: unused_55
+        type: b1
+      - id: factory_bits_invalid
+        type: b1
+        doc: Factory settings are invalid.
+      - id: unused_57
+        type: b7
+      - id: filter_fault
+        type: b1
+        doc: The filter has a fault.
+      - id: unused_65
+        type: b1
+      - id: filter_timing_overrun
+        type: b1
+        doc: A cycle of the filter takes too long.
+      - id: filter_timing_underrun
+        type: b1
+        doc: A cycle of the filter begins too late.
+      - id: unused_68
+        type: b32
+      - id: unused_100
+        type: b28
+  gq7_continuous_built_in_test:
+    -kind: bytes
+    meta:
+      bit-endian: le
+    doc: "Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation, 96-127 GNSS."
+    seq:
+      - id: system_clock_failure
+        type: b1
+        doc: The system clock has failed.
+      - id: power_fault
+        type: b1
+        doc: The power supply has a fault.
+      - id: unused_2
+        type: b2
+      - id: firmware_fault
+        type: b1
+        doc: The firmware has a fault.
+      - id: timing_overload
+        type: b1
+        doc: The processor cannot keep up.
+      - id: buffer_overrun
+        type: b1
+        doc: A data buffer was full.
+      - id: unused_7
+        type: b9
+      - id: imu_ipc_fault
+        type: b4
+        doc: Faults between the processors of the system and of the inertial sensors.
+      - id: filter_ipc_fault
+        type: b4
+        doc: Faults between the processors of the system and of the filter.
+      - id: gnss_ipc_fault
+        type: b4
+        doc: Faults between the processors of the system and of GNSS.
+      - id: unused_28
+        type: b4
+      - id: imu_clock_fault
+        type: b1
+        doc: The clock of the inertial sensors has failed.
+      - id: imu_comm_fault
+        type: b1
+        doc: The inertial sensors do not communicate.
+      - id: imu_timing_overrun
+        type: b1
+        doc: A cycle of the inertial sensors takes too long.
+      - id: unused_35
+        type: b1
+      - id: imu_calibration_error_accel
+        type: b1
+        doc: The calibration of the accelerometer has a fault.
+      - id: imu_calibration_error_gyro
+        type: b1
+        doc: The calibration of the gyroscope has a fault.
+      - id: imu_calibration_error_mag
+        type: b1
+        doc: The calibration of the magnetometer has a fault.
+      - id: unused_39
+        type: b1
+      - id: accel_general_fault
+        type: b1
+        doc: The accelerometer has a fault.
+      - id: accel_over_range
+        type: b1
+        doc: The accelerometer measures near or beyond its range.
+      - id: accel_self_test_fail
+        type: b1
+        doc: The self test of the accelerometer failed.
+      - id: unused_43
+        type: b1
+      - id: gyro_general_fault
+        type: b1
+        doc: The gyroscope has a fault.
+      - id: gyro_over_range
+        type: b1
+        doc: The gyroscope measures near or beyond its range.
+      - id: gyro_self_test_fail
+        type: b1
+        doc: The self test of the gyroscope failed.
+      - id: unused_47
+        type: b1
+      - id: mag_general_fault
+        type: b1
+        doc: The magnetometer has a fault.
+      - id: mag_over_range
+        type: b1
+        doc: The magnetometer measures near or beyond its range.
+      - id: mag_self_test_fail
+        type: b1
+        doc: The self test of the magnetometer failed.
+      - id: unused_51
+        type: b1
+      - id: pressure_sensor_general_fault
+        type: b1
+        doc: The pressure sensor has a fault.
+      - id: pressure_sensor_over_range
+        type: b1
+        doc: The pressure sensor measures near or beyond its range.
+      - id: pressure_sensor_self_test_fail
+        type: b1
+        doc: The self test of the pressure sensor failed.
+      - id: unused_55
+        type: b9
+      - id: filter_clock_fault
+        type: b1
+        doc: The clock of the filter has failed.
+      - id: filter_hardware_fault
+        type: b1
+        doc: The processor of the filter has a fault.
+      - id: filter_timing_overrun
+        type: b1
+        doc: A cycle of the filter takes too long.
+      - id: filter_timing_underrun
+        type: b1
+        doc: A cycle of the filter begins too late.
+      - id: filter_comm_error
+        type: b4
+        doc: Faults in the communication with the filter.
+      - id: unused_72
+        type: b24
+      - id: gnss_clock_fault
+        type: b1
+        doc: The clock of the GNSS processor has failed.
+      - id: gnss_hardware_fault
+        type: b1
+        doc: The GNSS processor has a fault.
+      - id: gnss_comm_error
+        type: b3
+        doc: Faults in the communication with the GNSS processor.
+      - id: gps_time_fault
+        type: b1
+        doc: GPS time has a fault.
+      - id: gnss_timing_overrun
+        type: b1
+        doc: A cycle of the GNSS processor takes too long.
+      - id: unused_103
+        type: b1
+      - id: receiver_1_power_fault
+        type: b1
+        doc: The power supply of receiver 1 has a fault.
+      - id: receiver_1_fault
+        type: b1
+        doc: Receiver 1 has a fault.
+      - id: antenna_1_shorted
+        type: b1
+        doc: Antenna 1 is a short circuit.
+      - id: antenna_1_open
+        type: b1
+        doc: Antenna 1 is not connected.
+      - id: receiver_1_solution_fault
+        type: b1
+        doc: Receiver 1 has no solution.
+      - id: receiver_2_power_fault
+        type: b1
+        doc: The power supply of receiver 2 has a fault.
+      - id: receiver_2_fault
+        type: b1
+        doc: Receiver 2 has a fault.
+      - id: antenna_2_shorted
+        type: b1
+        doc: Antenna 2 is a short circuit.
+      - id: antenna_2_open
+        type: b1
+        doc: Antenna 2 is not connected.
+      - id: receiver_2_solution_fault
+        type: b1
+        doc: Receiver 2 has no solution.
+      - id: rtcm_comm_fault
+        type: b1
+        doc: RTCM corrections do not arrive properly.
+      - id: rtk_dongle_fault
+        type: b1
+        doc: The RTK modem has a fault.
+      - id: unused_116
+        type: b12
   event_trigger_status:
     -kind: bits
     doc: State of an event trigger.

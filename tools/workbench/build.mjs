@@ -186,17 +186,23 @@ export function supportOn(protocol, device, field, set) {
     return device.supports?.find((one) => names.includes(one.field));
 }
 
+/** What the evidence for an entry says: "yes" or "probable". */
+function answerOf(device, support) {
+    return device?.evidence?.[support.evidence]?.answer ?? "yes";
+}
+
 function commandsOf(protocol, response) {
     return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
 }
 
 /**
- * Whether a device can be offered a field in a set: "" if it supports it, "perhaps" if it probably does, "not known" if its profile is
+ * Whether a device can be offered a field in a set: "" if it supports it, "probable" if it probably does, "not known" if its profile is
  * incomplete and does not list it, undefined if it has no such field.
  */
 export function certaintyOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
-    if (support) return support.evidence ? "perhaps" : "";
+    if (support) return answerOf(device, support) === "probable" ? "probable" : "";
+    if (device?.refuses?.some((one) => one.field === nameIn(field, set))) return undefined;
     return device.incomplete ? "not known" : undefined;
 }
 
@@ -205,7 +211,7 @@ export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
-    if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
+    if (answerOf(device, support) === "probable") found.push(`it probably supports this: ${device.evidence[support.evidence].why}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);
     if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
     for (const parameter of field.parameters) {

@@ -42,7 +42,7 @@ function link(href, words) {
 export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");
-    const marked = "Fields that it perhaps has, or of which nothing is known, are offered and marked.";
+    const marked = "Fields that it probably has, or of which nothing is known, are offered and marked.";
     return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
 }
 

@@ -123,7 +123,9 @@ _FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -215,7 +217,9 @@ _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -271,7 +275,9 @@ class FrameConfig(Command[R]):
     Where and how an external sensor is mounted on the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
@@ -476,7 +482,9 @@ class EchoControl(Command[R]):
     How the device answers aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     The manual does not give the layout of the responses that carry the data back.
 
@@ -576,7 +584,8 @@ class EcefPosition(Command[None]):
     A measured position in Earth-fixed coordinates.
 
     Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
     sends the data back in a response of unknown layout.
@@ -660,7 +669,8 @@ class LlhPosition(Command[None]):
     A measured position as latitude, longitude and height.
 
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of
     latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
@@ -776,7 +786,7 @@ class HeightAboveEllipsoid(Command[None]):
     A measured height.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -849,7 +859,8 @@ class EcefVelocity(Command[None]):
     A measured velocity in Earth-fixed coordinates.
 
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -934,7 +945,8 @@ class NedVelocity(Command[None]):
     A measured velocity in the local level frame.
 
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
     such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
@@ -1019,7 +1031,8 @@ class BodyFrameVelocity(Command[None]):
     A measured velocity of the vehicle in the frame of the sensor.
 
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
     of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
@@ -1106,6 +1119,8 @@ class TrueHeading(Command[None]):
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -1179,7 +1194,8 @@ class MagneticField(Command[None]):
     A magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
     data back in a response of unknown layout.
@@ -1261,7 +1277,7 @@ class Pressure(Command[None]):
     A static air pressure measured by an external sensor.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.

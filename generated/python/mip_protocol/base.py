@@ -113,12 +113,13 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
+    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -152,12 +153,13 @@ class GetDeviceInfoResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -200,8 +202,13 @@ _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45
+    and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -221,9 +228,16 @@ class BuiltInTestResponse(Response):
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
 
+    - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+      3DM-CX5-15, 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of `types.Gx5BuiltInTest`. Inferred:
+      The 3DM-GX5-15 has it.
+    - On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+      3DM-RQ1-45-ST: the values are not known.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+      `types.Cv7BuiltInTest`. Inferred: The 3DM-CV7-GNSS/INS has it.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not
-      known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
@@ -251,7 +265,11 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     The current week number.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and
+    3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -294,8 +312,11 @@ class GpsTimeUpdateTowResponse(Response):
 
     The current time of week.
 
-    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -333,8 +354,11 @@ class GpsTimeUpdateTowResponse(Response):
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May
-    be supported by 3DM-GX5-45.
+    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10,
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -377,8 +401,9 @@ _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR
+    and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -397,6 +422,9 @@ class ContinuousBuiltInTestResponse(Response):
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
+      `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
@@ -421,7 +449,9 @@ _COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Answers `CommSpeed`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -439,7 +469,9 @@ class CommSpeedResponse(Response):
     port: int
     """Port id of the device.
 
-    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+      3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+      `types.CommInterface`.
     """
     baud: int
     """Baud rate of the port. Unit: Bd."""
@@ -466,12 +498,12 @@ class Ping(Command[None]):
 
     Checks whether a device is present and answers commands.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
 
     A device that is not in a normal operating mode may refuse the command.
 
@@ -500,12 +532,13 @@ class SetIdle(Command[None]):
 
     Stops all data streams, and wakes a sleeping device, so that it can be configured.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
-    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR
+    and 3DM-RTK.
 
     `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
@@ -534,12 +567,13 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
 
     Gets the firmware version and the identity strings of the device.
 
-    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
+    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -567,13 +601,13 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
 
     Gets the command and data descriptors that the device supports.
 
-    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR
-    and 3DM-RTK.
+    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
     descriptors.
@@ -605,9 +639,13 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     Runs the self test of the device and gets its result.
 
     Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-GX5-35 and 3DM-GX5-45. Uncertain: The maximum duration of the test. The manual of the
-    3DM-CV7 says several seconds; 10 s leaves room for that.
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
+    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45 and 3DM-RTK. Uncertain: The maximum duration of the test. The
+    manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -641,12 +679,12 @@ class Resume(Command[None]):
 
     Ends idle mode and returns the device to the mode that it was in before.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
-    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-MV5-AR and 3DM-RTK.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 
@@ -675,8 +713,11 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
 
     Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
-    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10 and 3DM-GX5-25.
 
     Only supported if `GetDeviceDescriptors` lists it.
 
@@ -707,7 +748,8 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
     Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
     streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
@@ -745,7 +787,9 @@ class CommSpeed(Command[R]):
     Baud rate of one communication port.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and
+    3DM-RTK.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
     alone in a packet while the device is idle, and wait 250 ms before going on. Commands and data
@@ -770,7 +814,9 @@ class CommSpeed(Command[R]):
     port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only.
 
-    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+      3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+      `types.CommInterface`.
     """
     baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
@@ -864,8 +910,12 @@ class GpsTimeUpdate(Command[R]):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write` only.
+    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15
+    and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45. On the
+    3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;
@@ -989,8 +1039,12 @@ class SoftReset(Command[None]):
 
     Acknowledges the command, then resets the device immediately.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35
+    and 3DM-RTK.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

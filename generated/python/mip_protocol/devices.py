@@ -4,157 +4,62 @@ from __future__ import annotations
 
 from . import filter_data, mip_3dm, types
 from .lookup import device_id
-from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
+from .profile import Device, DeviceInfo, Evidence, Limit, Note, Port, Support, model_number
 
 CL5_10 = Device(
     id="3dm-cl5-10",
     title="3DM-CL5-10",
     description="Inertial measurement unit.",
     model_number=6279,
-    fields=frozenset({}),
-    functions={},
-    base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
-    also=("3DM-CL5-IMU",),
-    generation=5,
-    manual=None,
-)
-"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
-Uncertain: MSCL does not list it among the devices with streams or a device status.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CL5_15 = Device(
-    id="3dm-cl5-15",
-    title="3DM-CL5-15",
-    description="Attitude reference.",
-    model_number=6280,
-    fields=frozenset({}),
-    functions={},
-    base_rates={},
-    ports=(),
-    limits={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
             (),
-        )
-    },
-    readings={
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-    },
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
-    also=("3DM-CL5-AR",),
-    generation=5,
-    manual=None,
-)
-"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
-This profile is incomplete: No manual is known. The SDK gives only its name and number.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CL5_25 = Device(
-    id="3dm-cl5-25",
-    title="3DM-CL5-25",
-    description="Attitude and heading reference system.",
-    model_number=6281,
-    fields=frozenset({}),
-    functions={},
-    base_rates={},
-    ports=(),
-    limits={},
-    notes={
-        "device_status": Note(
-            "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                }
+            ),
             (),
-        )
-    },
-    readings={
-        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
-        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
-    },
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
-    also=("3DM-CL5-AHRS",),
-    generation=5,
-    manual=None,
-)
-"""Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
-
-- mip-sdk-4: Device models
-- mscl: MIP node features
-"""
-
-CV5_10 = Device(
-    id="3dm-cv5-10",
-    title="3DM-CV5-10",
-    description="Inertial measurement unit.",
-    model_number=6259,
-    fields=frozenset({}),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -167,33 +72,393 @@ CV5_10 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+    incomplete=("No manual is known.",),
+    also=("3DM-CL5-IMU",),
+    generation=5,
+    manual=None,
+)
+"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
+known. This profile is incomplete: No manual is known. Uncertain: MSCL does not know it.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CL5_15 = Device(
+    id="3dm-cl5-15",
+    title="3DM-CL5-15",
+    description="Attitude reference.",
+    model_number=6280,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
     },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=("3DM-CL5-AR",),
+    generation=5,
+    manual=None,
+)
+"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
+This profile is incomplete: No manual is known.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CL5_25 = Device(
+    id="3dm-cl5-25",
+    title="3DM-CL5-25",
+    description="Attitude and heading reference system.",
+    model_number=6281,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=("3DM-CL5-AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
+No manual is known. This profile is incomplete: No manual is known.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV5_10 = Device(
+    id="3dm-cv5-10",
+    title="3DM-CV5-10",
+    description="Inertial measurement unit.",
+    model_number=6259,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (MicroStrain Communication Library: Issue 145).",
+            frozenset(
+                {
+                    (0x80, 0x01)  # sensor.raw_accel
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            (),
+        )
+    },
+    readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("Its manual (8500-0070) is not known.",),
     also=("3DM-CV5-IMU",),
     generation=5,
     manual=None,
 )
 """Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+known. This profile is incomplete: Its manual (8500-0070) is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -204,7 +469,121 @@ CV5_15 = Device(
     title="3DM-CV5-15",
     description="Attitude reference.",
     model_number=6258,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0D, 0x01),  # filter.reset
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -217,35 +596,21 @@ CV5_15 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-CV5-AR",),
     generation=5,
     manual=None,
 )
 """Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known.
-This profile is incomplete: No manual is known. The SDK gives only its name and number.
+This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -256,7 +621,138 @@ CV5_25 = Device(
     title="3DM-CV5-25",
     description="Attitude and heading reference system.",
     model_number=6257,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x18),  # filter.heading_source
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -269,35 +765,213 @@ CV5_25 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-CV5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+No manual is known. This profile is incomplete: No manual is known.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV5_45 = Device(
+    id="3dm-cv5-45",
+    title="3DM-CV5-45",
+    description="Inertial navigation system with GNSS.",
+    model_number=6256,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x04),  # gnss_data.ecef_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x06),  # gnss_data.ecef_velocity
+                    (0x81, 0x07),  # gnss_data.dop
+                    (0x81, 0x08),  # gnss_data.utc_time
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x81, 0x0A),  # gnss_data.clock_info
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x81, 0x0C),  # gnss_data.sv_info
+                    (0x81, 0x0D),  # gnss_data.hardware_status
+                    (0x81, 0x0E),  # gnss_data.dgps_info
+                    (0x81, 0x0F),  # gnss_data.dgps_channel
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            frozenset(
+                {
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x20),  # filter_data.standard_atmosphere
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=(),
+    generation=5,
+    manual=None,
+)
+"""Inertial navigation system with GNSS. Generation 5. Model number 6256. No manual is known. This
+profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -308,28 +982,259 @@ CV7_AHRS = Device(
     title="3DM-CV7-AHRS",
     description="Attitude and heading reference system.",
     model_number=6286,
-    fields=frozenset(
-        {
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x03),  # filter.set_initial_heading
-            (0x0D, 0x43),  # filter.magnetic_declination_source
-            (0x13, 0x01),  # aiding.frame_config
-            (0x13, 0x1F),  # aiding.echo_control
-            (0x13, 0x31),  # aiding.true_heading
-            (0x13, 0x32),  # aiding.magnetic_field
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x82, 0x06),  # filter_data.gyro_bias
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            frozenset(
+                {
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            frozenset(
+                {
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            frozenset(
+                {
+                    (0x82, 0x50)  # filter_data.aiding_frame_config_error
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03)  # base.get_device_info
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (Public programs of users: Program for a 3DM-CV7).",
+            frozenset(
+                {
+                    (0x01, 0x05)  # base.built_in_test
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            frozenset(
+                {
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257).",
+            frozenset(
+                {
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x91, 0x03),  # gnss_1.llh_position
+                    (0x91, 0x0B),  # gnss_1.fix_info
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (ROS driver of the vendor: Issue 350).",
+            frozenset(
+                {
+                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
+                    (0x91, 0x12),  # gnss_1.sbas_info
+                    (0x91, 0x14),  # gnss_1.rf_error_detection
+                    (0x92, 0x0B),  # gnss_2.fix_info
+                    (0x92, 0x12),  # gnss_2.sbas_info
+                    (0x92, 0x14),  # gnss_2.rf_error_detection
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
-    ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
+    ports=(
+        Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
     limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        ),
         "event_triggers": Limit(12, None, "Total number of triggers."),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
         "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
@@ -339,7 +1244,7 @@ CV7_AHRS = Device(
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -353,49 +1258,41 @@ CV7_AHRS = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or timestamp events.",
+            "Features of each pin, according to MSCL, and its place on the connector, according to the ROS driver.",
+            (
+                ("Pin", "Connector pin", "Features"),
+                ("1", "7", "GPIO, PPS, timestamp"),
+                ("2", "9", "GPIO, PPS, timestamp"),
+                ("3", "6", "GPIO, PPS, timestamp"),
+                ("4", "10", "GPIO, PPS, timestamp"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
             (),
         ),
     },
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x28): "MSCL lists the choices for this device.",  # 3dm.pps_source_control
-        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
-        (
-            0x0C,
-            0x50,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
-        (
-            0x0C,
-            0x54,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
-        (0x0D, 0x50): "MSCL lists the choices for this device.",  # filter.aiding_measurement_enable
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=(
-        "Only some pages of the manual are known, so it has more commands and data.",
-        "The limits are those of firmware 1.0.04 and later.",
-    ),
+    ack_codes=frozenset([]),
+    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
     also=(),
     generation=7,
     manual="3dm-cv7",
 )
 """Attitude and heading reference system. Generation 7. Model number 6286. Manual: MicroStrain
 3DM-CV7 Documentation (AHRS and AR), online, known from some pages. This profile is incomplete: Only
-some pages of the manual are known, so it has more commands and data. This profile is incomplete:
-The limits are those of firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and
-`manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
+some pages of the manual are known, so it has more commands and data. Uncertain: MSCL offers only
+the values `none` and `manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -406,28 +1303,230 @@ CV7_AR = Device(
     title="3DM-CV7-AR",
     description="Attitude reference.",
     model_number=6287,
-    fields=frozenset(
-        {
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x03),  # filter.set_initial_heading
-            (0x0D, 0x43),  # filter.magnetic_declination_source
-            (0x13, 0x01),  # aiding.frame_config
-            (0x13, 0x1F),  # aiding.echo_control
-            (0x13, 0x31),  # aiding.true_heading
-            (0x13, 0x32),  # aiding.magnetic_field
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x82, 0x06),  # filter_data.gyro_bias
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            frozenset(
+                {
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            frozenset(
+                {
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            frozenset(
+                {
+                    (0x82, 0x50)  # filter_data.aiding_frame_config_error
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "listed",
+            "The device lists it (MicroStrain Communication Library: Issue 258).",
+            frozenset(
+                {
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            frozenset(
+                {
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (MicroStrain Communication Library: Issue 258).",
+            frozenset(
+                {
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
-    ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
+    ports=(
+        Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
     limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        ),
         "event_triggers": Limit(12, None, "Total number of triggers."),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
         "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
@@ -437,7 +1536,7 @@ CV7_AR = Device(
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -451,49 +1550,41 @@ CV7_AR = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or timestamp events.",
+            "Features of each pin, according to MSCL, and its place on the connector, according to the ROS driver.",
+            (
+                ("Pin", "Connector pin", "Features"),
+                ("1", "7", "GPIO, PPS, timestamp"),
+                ("2", "9", "GPIO, PPS, timestamp"),
+                ("3", "6", "GPIO, PPS, timestamp"),
+                ("4", "10", "GPIO, PPS, timestamp"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
             (),
         ),
     },
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x28): "MSCL lists the choices for this device.",  # 3dm.pps_source_control
-        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
-        (
-            0x0C,
-            0x50,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
-        (
-            0x0C,
-            0x54,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
-        (0x0D, 0x50): "MSCL lists the choices for this device.",  # filter.aiding_measurement_enable
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=(
-        "Only some pages of the manual are known, so it has more commands and data.",
-        "The limits are those of firmware 1.0.04 and later.",
-    ),
+    ack_codes=frozenset([]),
+    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
     also=(),
     generation=7,
     manual="3dm-cv7",
 )
 """Attitude reference. Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation
 (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of the
-manual are known, so it has more commands and data. This profile is incomplete: The limits are those
-of firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and `manual` of
-`filter.MagneticDeclinationSource`; the manual also has `wmm`.
+manual are known, so it has more commands and data. Uncertain: MSCL offers only the values `none`
+and `manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -504,191 +1595,200 @@ CV7_GNSS_INS = Device(
     title="3DM-CV7-GNSS/INS",
     description="Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.",
     model_number=6292,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x02),  # base.set_idle
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x05),  # base.built_in_test
-            (0x01, 0x06),  # base.resume
-            (0x01, 0x07),  # base.get_extended_descriptors
-            (0x01, 0x08),  # base.continuous_built_in_test
-            (0x01, 0x09),  # base.comm_speed
-            (0x01, 0x72),  # base.gps_time_update
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x04),  # 3dm.poll_nmea_data
-            (0x0C, 0x0C),  # 3dm.nmea_message_format
-            (0x0C, 0x0D),  # 3dm.poll_data
-            (0x0C, 0x0E),  # 3dm.get_base_rate
-            (0x0C, 0x0F),  # 3dm.message_format
-            (0x0C, 0x10),  # 3dm.factory_streaming
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-            (0x0C, 0x28),  # 3dm.pps_source_control
-            (0x0C, 0x2A),  # 3dm.get_event_support
-            (0x0C, 0x2B),  # 3dm.event_control
-            (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-            (0x0C, 0x2D),  # 3dm.get_event_action_status
-            (0x0C, 0x2E),  # 3dm.event_trigger_config
-            (0x0C, 0x2F),  # 3dm.event_action_config
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-            (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-            (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x41),  # 3dm.gpio_config
-            (0x0C, 0x42),  # 3dm.gpio_state
-            (0x0C, 0x43),  # 3dm.odometer_config
-            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-            (0x0C, 0x51),  # 3dm.complementary_filter
-            (0x0C, 0x52),  # 3dm.sensor_range
-            (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-            (0x0C, 0x54),  # 3dm.low_pass_filter
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x03),  # filter.set_initial_heading
-            (0x0D, 0x05),  # filter.run
-            (0x0D, 0x13),  # filter.antenna_offset
-            (0x0D, 0x15),  # filter.gnss_source
-            (0x0D, 0x17),  # filter.external_heading_update
-            (0x0D, 0x1A),  # filter.accel_noise
-            (0x0D, 0x1B),  # filter.gyro_noise
-            (0x0D, 0x1C),  # filter.accel_bias_model
-            (0x0D, 0x1D),  # filter.gyro_bias_model
-            (0x0D, 0x1F),  # filter.external_heading_update_with_time
-            (0x0D, 0x20),  # filter.auto_angular_zupt
-            (0x0D, 0x28),  # filter.gravity_noise
-            (0x0D, 0x43),  # filter.magnetic_declination_source
-            (0x0D, 0x50),  # filter.aiding_measurement_enable
-            (0x0D, 0x52),  # filter.initialization_config
-            (0x0D, 0x53),  # filter.adaptive_filter_options
-            (0x0D, 0x54),  # filter.multi_antenna_offset
-            (0x0D, 0x55),  # filter.relative_position_config
-            (0x0D, 0x56),  # filter.reference_point_lever_arm
-            (0x0D, 0x61),  # filter.speed_lever_arm
-            (0x0D, 0x63),  # filter.wheeled_vehicle_constraint_control
-            (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
-            (0x0E, 0x01),  # gnss.receiver_info
-            (0x0E, 0x02),  # gnss.signal_config
-            (0x0E, 0x20),  # gnss.spartn_config
-            (0x13, 0x01),  # aiding.frame_config
-            (0x13, 0x1F),  # aiding.echo_control
-            (0x13, 0x21),  # aiding.ecef_position
-            (0x13, 0x22),  # aiding.llh_position
-            (0x13, 0x23),  # aiding.height_above_ellipsoid
-            (0x13, 0x28),  # aiding.ecef_velocity
-            (0x13, 0x29),  # aiding.ned_velocity
-            (0x13, 0x2A),  # aiding.body_frame_velocity
-            (0x13, 0x31),  # aiding.true_heading
-            (0x13, 0x32),  # aiding.magnetic_field
-            (0x13, 0x33),  # aiding.pressure
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x80, 0x05),  # sensor.scaled_gyro
-            (0x80, 0x06),  # sensor.scaled_mag
-            (0x80, 0x07),  # sensor.delta_theta
-            (0x80, 0x08),  # sensor.delta_velocity
-            (0x80, 0x09),  # sensor.comp_orientation_matrix
-            (0x80, 0x0A),  # sensor.comp_quaternion
-            (0x80, 0x0C),  # sensor.comp_euler_angles
-            (0x80, 0x12),  # sensor.gps_timestamp
-            (0x80, 0x14),  # sensor.temperature_statistics
-            (0x80, 0x17),  # sensor.scaled_pressure
-            (0x80, 0x18),  # sensor.overrange_status
-            (0x80, 0x40),  # sensor.odometer
-            (0x82, 0x01),  # filter_data.llh_position
-            (0x82, 0x02),  # filter_data.ned_velocity
-            (0x82, 0x03),  # filter_data.attitude_quaternion
-            (0x82, 0x04),  # filter_data.attitude_dcm
-            (0x82, 0x05),  # filter_data.euler_angles
-            (0x82, 0x06),  # filter_data.gyro_bias
-            (0x82, 0x07),  # filter_data.accel_bias
-            (0x82, 0x08),  # filter_data.llh_position_uncertainty
-            (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-            (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-            (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-            (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-            (0x82, 0x0D),  # filter_data.linear_accel
-            (0x82, 0x0E),  # filter_data.comp_angular_rate
-            (0x82, 0x10),  # filter_data.status
-            (0x82, 0x11),  # filter_data.timestamp
-            (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-            (0x82, 0x13),  # filter_data.gravity_vector
-            (0x82, 0x15),  # filter_data.magnetic_model
-            (0x82, 0x1C),  # filter_data.comp_accel
-            (0x82, 0x21),  # filter_data.pressure_altitude
-            (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
-            (0x82, 0x35),  # filter_data.multi_antenna_offset_correction_uncertainty
-            (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-            (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-            (0x82, 0x40),  # filter_data.ecef_position
-            (0x82, 0x41),  # filter_data.ecef_velocity
-            (0x82, 0x42),  # filter_data.ned_relative_position
-            (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-            (0x82, 0x46),  # filter_data.aiding_measurement_summary
-            (0x82, 0x47),  # filter_data.odometer_scale_factor_error
-            (0x82, 0x48),  # filter_data.odometer_scale_factor_error_uncertainty
-            (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
-            (0x82, 0x50),  # filter_data.aiding_frame_config_error
-            (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
-            (0x91, 0x03),  # gnss_1.llh_position
-            (0x91, 0x04),  # gnss_1.ecef_position
-            (0x91, 0x05),  # gnss_1.ned_velocity
-            (0x91, 0x06),  # gnss_1.ecef_velocity
-            (0x91, 0x07),  # gnss_1.dop
-            (0x91, 0x08),  # gnss_1.utc_time
-            (0x91, 0x09),  # gnss_1.gps_time
-            (0x91, 0x0B),  # gnss_1.fix_info
-            (0x91, 0x0D),  # gnss_1.hardware_status
-            (0x91, 0x10),  # gnss_1.clock_info_2
-            (0x91, 0x11),  # gnss_1.gps_leap_seconds
-            (0x91, 0x12),  # gnss_1.sbas_info
-            (0x91, 0x20),  # gnss_1.satellite_status
-            (0x91, 0x22),  # gnss_1.raw
-            (0x91, 0x61),  # gnss_1.gps_ephemeris
-            (0x91, 0x62),  # gnss_1.glonass_ephemeris
-            (0x91, 0x63),  # gnss_1.galileo_ephemeris
-            (0x91, 0x64),  # gnss_1.beidou_ephemeris
-            (0x92, 0x03),  # gnss_2.llh_position
-            (0x92, 0x04),  # gnss_2.ecef_position
-            (0x92, 0x05),  # gnss_2.ned_velocity
-            (0x92, 0x06),  # gnss_2.ecef_velocity
-            (0x92, 0x07),  # gnss_2.dop
-            (0x92, 0x08),  # gnss_2.utc_time
-            (0x92, 0x09),  # gnss_2.gps_time
-            (0x92, 0x0B),  # gnss_2.fix_info
-            (0x92, 0x0D),  # gnss_2.hardware_status
-            (0x92, 0x10),  # gnss_2.clock_info_2
-            (0x92, 0x11),  # gnss_2.gps_leap_seconds
-            (0x92, 0x12),  # gnss_2.sbas_info
-            (0x92, 0x20),  # gnss_2.satellite_status
-            (0x92, 0x22),  # gnss_2.raw
-            (0x92, 0x61),  # gnss_2.gps_ephemeris
-            (0x92, 0x62),  # gnss_2.glonass_ephemeris
-            (0x92, 0x63),  # gnss_2.galileo_ephemeris
-            (0x92, 0x64),  # gnss_2.beidou_ephemeris
-            (0x93, 0x30),  # gnss_corrections.base_station_info
-            (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
-            (0x94, 0x03),  # gnss_external.llh_position
-            (0x94, 0x05),  # gnss_external.ned_velocity
-            (0x94, 0x08),  # gnss_external.utc_time
-            (0x94, 0x0B),  # gnss_external.fix_info
-            (0x94, 0x20),  # gnss_external.satellite_status
-            (0xA0, 0x01),  # system_data.built_in_test
-            (0xA0, 0x02),  # system_data.time_sync_status
-            (0xA0, 0x03),  # system_data.gpio_state
-            (0xFF, 0xD0),  # shared.event_source
-            (0xFF, 0xD3),  # shared.gps_timestamp
-            (0xFF, 0xD4),  # shared.delta_time
-            (0xFF, 0xD5),  # shared.reference_timestamp
-            (0xFF, 0xD6),  # shared.reference_time_delta
-            (0xFF, 0xD7),  # shared.external_timestamp
-            (0xFF, 0xD8),  # shared.external_time_delta
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x04),  # 3dm.poll_nmea_data
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x43),  # 3dm.odometer_config
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x05),  # filter.run
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x52),  # filter.initialization_config
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0x0D, 0x54),  # filter.multi_antenna_offset
+                    (0x0D, 0x55),  # filter.relative_position_config
+                    (0x0D, 0x56),  # filter.reference_point_lever_arm
+                    (0x0D, 0x61),  # filter.speed_lever_arm
+                    (0x0D, 0x63),  # filter.wheeled_vehicle_constraint_control
+                    (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
+                    (0x0E, 0x01),  # gnss.receiver_info
+                    (0x0E, 0x02),  # gnss.signal_config
+                    (0x0E, 0x20),  # gnss.spartn_config
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x21),  # aiding.ecef_position
+                    (0x13, 0x22),  # aiding.llh_position
+                    (0x13, 0x23),  # aiding.height_above_ellipsoid
+                    (0x13, 0x28),  # aiding.ecef_velocity
+                    (0x13, 0x29),  # aiding.ned_velocity
+                    (0x13, 0x2A),  # aiding.body_frame_velocity
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x13, 0x33),  # aiding.pressure
+                    (0x7F, 0x02),  # system.interface_control
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x80, 0x40),  # sensor.odometer
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
+                    (0x82, 0x35),  # filter_data.multi_antenna_offset_correction_uncertainty
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                    (0x82, 0x42),  # filter_data.ned_relative_position
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
+                    (0x82, 0x47),  # filter_data.odometer_scale_factor_error
+                    (0x82, 0x48),  # filter_data.odometer_scale_factor_error_uncertainty
+                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
+                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
+                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
+                    (0x91, 0x03),  # gnss_1.llh_position
+                    (0x91, 0x04),  # gnss_1.ecef_position
+                    (0x91, 0x05),  # gnss_1.ned_velocity
+                    (0x91, 0x06),  # gnss_1.ecef_velocity
+                    (0x91, 0x07),  # gnss_1.dop
+                    (0x91, 0x08),  # gnss_1.utc_time
+                    (0x91, 0x09),  # gnss_1.gps_time
+                    (0x91, 0x0B),  # gnss_1.fix_info
+                    (0x91, 0x0D),  # gnss_1.hardware_status
+                    (0x91, 0x10),  # gnss_1.clock_info_2
+                    (0x91, 0x11),  # gnss_1.gps_leap_seconds
+                    (0x91, 0x12),  # gnss_1.sbas_info
+                    (0x91, 0x20),  # gnss_1.satellite_status
+                    (0x91, 0x22),  # gnss_1.raw
+                    (0x91, 0x61),  # gnss_1.gps_ephemeris
+                    (0x91, 0x62),  # gnss_1.glonass_ephemeris
+                    (0x91, 0x63),  # gnss_1.galileo_ephemeris
+                    (0x91, 0x64),  # gnss_1.beidou_ephemeris
+                    (0x92, 0x03),  # gnss_2.llh_position
+                    (0x92, 0x04),  # gnss_2.ecef_position
+                    (0x92, 0x05),  # gnss_2.ned_velocity
+                    (0x92, 0x06),  # gnss_2.ecef_velocity
+                    (0x92, 0x07),  # gnss_2.dop
+                    (0x92, 0x08),  # gnss_2.utc_time
+                    (0x92, 0x09),  # gnss_2.gps_time
+                    (0x92, 0x0B),  # gnss_2.fix_info
+                    (0x92, 0x0D),  # gnss_2.hardware_status
+                    (0x92, 0x10),  # gnss_2.clock_info_2
+                    (0x92, 0x11),  # gnss_2.gps_leap_seconds
+                    (0x92, 0x12),  # gnss_2.sbas_info
+                    (0x92, 0x20),  # gnss_2.satellite_status
+                    (0x92, 0x22),  # gnss_2.raw
+                    (0x92, 0x61),  # gnss_2.gps_ephemeris
+                    (0x92, 0x62),  # gnss_2.glonass_ephemeris
+                    (0x92, 0x63),  # gnss_2.galileo_ephemeris
+                    (0x92, 0x64),  # gnss_2.beidou_ephemeris
+                    (0x93, 0x30),  # gnss_corrections.base_station_info
+                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
+                    (0x94, 0x03),  # gnss_external.llh_position
+                    (0x94, 0x05),  # gnss_external.ned_velocity
+                    (0x94, 0x08),  # gnss_external.utc_time
+                    (0x94, 0x0B),  # gnss_external.fix_info
+                    (0x94, 0x20),  # gnss_external.satellite_status
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
     ),
     functions={
         (0x01, 0x72): "W",
@@ -699,27 +1799,30 @@ CV7_GNSS_INS = Device(
     },
     base_rates={0x80: 1000, 0x82: 1000, 0x91: 5, 0x92: 5, 0x93: 0, 0x94: 0, 0xA0: 1000},
     ports=(
-        Port("Main", 1, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
+        Port("Main", 1, (), ("MIP", "NMEA", "RTCM", "SPARTN"), ("MIP", "NMEA")),
         Port(
             "UART 1",
             17,
             (115200, 230400, 460800, 921600, 3000000),
             ("MIP", "NMEA", "RTCM", "SPARTN"),
+            ("MIP", "NMEA"),
         ),
         Port(
             "UART 2",
             18,
             (4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600),
             ("MIP", "NMEA", "RTCM", "SPARTN"),
+            ("MIP", "NMEA"),
         ),
         Port(
             "UART 3",
             19,
             (4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600),
             ("MIP", "NMEA", "RTCM", "SPARTN"),
+            ("MIP", "NMEA"),
         ),
-        Port("USB 1", 33, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
-        Port("USB 2", 34, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
+        Port("USB 1", 33, (), ("MIP", "NMEA", "RTCM", "SPARTN"), ("MIP", "NMEA")),
+        Port("USB 2", 34, (), ("MIP", "NMEA", "RTCM", "SPARTN"), ("MIP", "NMEA")),
     ),
     limits={
         "event_triggers": Limit(12, None, "Total number of triggers."),
@@ -912,12 +2015,6 @@ CV7_GNSS_INS = Device(
         "system_data.built_in_test.result": types.Cv7ContinuousBuiltInTest,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5, 6]),
-    perhaps={
-        (
-            0x7F,
-            0x02,
-        ): "The page on ports in the manual names it, but the list of commands does not."  # system.interface_control
-    },
     incomplete=(),
     also=(),
     generation=7,
@@ -935,76 +2032,311 @@ CV7_INS = Device(
     title="3DM-CV7-INS",
     description="Inertial navigation system without a GNSS receiver of its own.",
     model_number=6291,
-    fields=frozenset(
-        {
-            (0x0D, 0x13),  # filter.antenna_offset
-            (0x0D, 0x20),  # filter.auto_angular_zupt
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
+            frozenset(
+                {
+                    (0x0D, 0x52),  # filter.initialization_config
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+            frozenset(
+                {
+                    (0x94, 0x03),  # gnss_external.llh_position
+                    (0x94, 0x04),  # gnss_external.ecef_position
+                    (0x94, 0x05),  # gnss_external.ned_velocity
+                    (0x94, 0x06),  # gnss_external.ecef_velocity
+                    (0x94, 0x07),  # gnss_external.dop
+                    (0x94, 0x08),  # gnss_external.utc_time
+                    (0x94, 0x0B),  # gnss_external.fix_info
+                    (0x94, 0x10),  # gnss_external.clock_info_2
+                    (0x94, 0x11),  # gnss_external.gps_leap_seconds
+                    (0x94, 0x14),  # gnss_external.rf_error_detection
+                    (0x94, 0x20),  # gnss_external.satellite_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x13, 0x22),  # aiding.llh_position
+                    (0x13, 0x29),  # aiding.ned_velocity
+                    (0x13, 0x2A),  # aiding.body_frame_velocity
+                    (0x13, 0x31),  # aiding.true_heading
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x10),  # filter_data.status
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x55),  # filter.relative_position_config
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x42),  # filter_data.ned_relative_position
+                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0D, 0x53)  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x04),  # 3dm.poll_nmea_data
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x05),  # filter.run
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x56),  # filter.reference_point_lever_arm
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x21),  # aiding.ecef_position
+                    (0x13, 0x23),  # aiding.height_above_ellipsoid
+                    (0x13, 0x28),  # aiding.ecef_velocity
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x13, 0x33),  # aiding.pressure
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={0x94: 0},
-    ports=(),
-    limits={"antenna_offset": Limit(10, "m", "Greatest distance of the antenna from the device.")},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (
-            0x94,
-            0x03,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.llh_position
-        (
-            0x94,
-            0x04,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ecef_position
-        (
-            0x94,
-            0x05,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ned_velocity
-        (
-            0x94,
-            0x06,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ecef_velocity
-        (
-            0x94,
-            0x07,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.dop
-        (
-            0x94,
-            0x08,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.utc_time
-        (
-            0x94,
-            0x0B,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.fix_info
-        (
-            0x94,
-            0x10,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.clock_info_2
-        (
-            0x94,
-            0x11,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.gps_leap_seconds
-        (
-            0x94,
-            0x14,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.rf_error_detection
-        (
-            0x94,
-            0x20,
-        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.satellite_status
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("UART 2", 18, (), ("MIP",), ("MIP",)),
+        Port("UART 3", 19, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        ),
+        "antenna_offset": Limit(10, "m", "Greatest distance of the antenna from the device."),
     },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, timestamp, UART 2"),
+                ("2", "GPIO, PPS, timestamp, UART 2"),
+                ("3", "GPIO, PPS, timestamp, UART 3, encoder A"),
+                ("4", "GPIO, PPS, timestamp, UART 3, encoder B"),
+            ),
+        ),
+        "receivers": Note(
+            "GNSS sets", "The sets 0x94 and 0x95 have data of two receivers of the user.", ()
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
@@ -1029,7 +2361,65 @@ CX5_10 = Device(
     title="3DM-CX5-10",
     description="Inertial measurement unit.",
     model_number=6275,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            frozenset(
+                {
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1042,33 +2432,22 @@ CX5_10 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=(
+        "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm` and `sensor` only.",
+    ),
     also=("3DM-CX5-IMU",),
     generation=5,
-    manual=None,
+    manual="3dm-cx5-10",
 )
-"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual:
+3DM-CX5-10 Data Communications Protocol Manual, 8500-0087 revision A, 2017, known from its contents.
+This profile is incomplete: Of the manual the table of contents is known, up to the set `3dm`. It
+has the sets `base`, `3dm` and `sensor` only.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1079,7 +2458,121 @@ CX5_15 = Device(
     title="3DM-CX5-15",
     description="Attitude reference.",
     model_number=6274,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0D, 0x01),  # filter.reset
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1092,34 +2585,21 @@ CX5_15 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-CX5-AR",),
     generation=5,
     manual=None,
 )
 """Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known.
-This profile is incomplete: No manual is known. The SDK gives only its name and number. Uncertain:
-MSCL does not list it among the devices for which it limits the choices of the filter.
+This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1130,7 +2610,138 @@ CX5_25 = Device(
     title="3DM-CX5-25",
     description="Attitude and heading reference system.",
     model_number=6273,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x18),  # filter.heading_source
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1143,34 +2754,21 @@ CX5_25 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-CX5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number. Uncertain: MSCL does not list it among the devices for which it limits the choices of the
-filter.
+No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1181,7 +2779,85 @@ CX5_35 = Device(
     title="3DM-CX5-35",
     description="Attitude and heading reference with GNSS.",
     model_number=6272,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-35.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x04),  # gnss_data.ecef_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x06),  # gnss_data.ecef_velocity
+                    (0x81, 0x07),  # gnss_data.dop
+                    (0x81, 0x08),  # gnss_data.utc_time
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x81, 0x0A),  # gnss_data.clock_info
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x81, 0x0C),  # gnss_data.sv_info
+                    (0x81, 0x0D),  # gnss_data.hardware_status
+                    (0x81, 0x0E),  # gnss_data.dgps_info
+                    (0x81, 0x0F),  # gnss_data.dgps_channel
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1198,29 +2874,13 @@ CX5_35 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-CX5-GNSS/AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
-number 6272. No manual is known. This profile is incomplete: No manual is known. The SDK gives only
-its name and number.
+number 6272. No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1231,7 +2891,202 @@ CX5_45 = Device(
     title="3DM-CX5-45",
     description="Inertial navigation system with GNSS.",
     model_number=6271,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+            frozenset(
+                {
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x07),  # gnss_data.dop
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x81, 0x04),  # gnss_data.ecef_position
+                    (0x81, 0x06),  # gnss_data.ecef_velocity
+                    (0x81, 0x08),  # gnss_data.utc_time
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x81, 0x0A),  # gnss_data.clock_info
+                    (0x81, 0x0C),  # gnss_data.sv_info
+                    (0x81, 0x0D),  # gnss_data.hardware_status
+                    (0x81, 0x0E),  # gnss_data.dgps_info
+                    (0x81, 0x0F),  # gnss_data.dgps_channel
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            frozenset(
+                {
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x20),  # filter_data.standard_atmosphere
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1246,31 +3101,666 @@ CX5_45 = Device(
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=(
+        "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
+    ),
     also=("3DM-CX5-GNSS/INS",),
     generation=5,
-    manual=None,
+    manual="3dm-cx5-45",
 )
 """Inertial navigation system with GNSS. Also called 3DM-CX5-GNSS/INS. Generation 5. Model number
-6271. No manual is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+6271. Manual: 3DM-CX5-45 Data Communications Protocol Manual, 8500-0089 revision A, 2017, known from
+its title. This profile is incomplete: Of the manual the title is known: 196 pages, of which those
+from 131 describe the data.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX7_AHRS = Device(
+    id="3dm-cx7-ahrs",
+    title="3DM-CX7-AHRS",
+    description="Attitude and heading reference system.",
+    model_number=6701,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
+    },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, timestamp"),
+                ("2", "GPIO, PPS, timestamp"),
+                ("3", "GPIO, PPS, timestamp"),
+                ("4", "GPIO, PPS, timestamp"),
+            ),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Attitude and heading reference system. Generation 7. Model number 6701. No manual is known. This
+profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX7_AR = Device(
+    id="3dm-cx7-ar",
+    title="3DM-CX7-AR",
+    description="Attitude reference.",
+    model_number=6700,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
+    },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, timestamp"),
+                ("2", "GPIO, PPS, timestamp"),
+                ("3", "GPIO, PPS, timestamp"),
+                ("4", "GPIO, PPS, timestamp"),
+            ),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Attitude reference. Generation 7. Model number 6700. No manual is known. This profile is
+incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX7_INS = Device(
+    id="3dm-cx7-ins",
+    title="3DM-CX7-INS",
+    description="Inertial navigation system.",
+    model_number=6702,
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x04),  # 3dm.poll_nmea_data
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x05),  # filter.run
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x52),  # filter.initialization_config
+                    (0x0D, 0x55),  # filter.relative_position_config
+                    (0x0D, 0x56),  # filter.reference_point_lever_arm
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x21),  # aiding.ecef_position
+                    (0x13, 0x22),  # aiding.llh_position
+                    (0x13, 0x23),  # aiding.height_above_ellipsoid
+                    (0x13, 0x28),  # aiding.ecef_velocity
+                    (0x13, 0x29),  # aiding.ned_velocity
+                    (0x13, 0x2A),  # aiding.body_frame_velocity
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x13, 0x33),  # aiding.pressure
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                    (0x82, 0x42),  # filter_data.ned_relative_position
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
+                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
+                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
+                    (0x94, 0x03),  # gnss_external.llh_position
+                    (0x94, 0x05),  # gnss_external.ned_velocity
+                    (0x94, 0x08),  # gnss_external.utc_time
+                    (0x94, 0x0B),  # gnss_external.fix_info
+                    (0x94, 0x20),  # gnss_external.satellite_status
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
+    functions={},
+    base_rates={},
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("UART 2", 18, (), ("MIP",), ("MIP",)),
+        Port("UART 3", 19, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
+    },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, timestamp, UART 2"),
+                ("2", "GPIO, PPS, timestamp, UART 2"),
+                ("3", "GPIO, PPS, timestamp, UART 3, encoder A"),
+                ("4", "GPIO, PPS, timestamp, UART 3, encoder B"),
+            ),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Inertial navigation system. Generation 7. Model number 6702. No manual is known. This profile is
+incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1279,9 +3769,26 @@ name and number.
 DH3 = Device(
     id="3dm-dh3",
     title="3DM-DH3",
-    description="Device of generation 3, known only by its name and its number.",
+    description="Device of generation 3.",
     model_number=6219,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1292,28 +3799,13 @@ DH3 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6219.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Device of generation 3. Generation 3. Model number 6219. No manual is known. This profile is
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1324,70 +3816,119 @@ GQ4_45 = Device(
     title="3DM-GQ4-45",
     description="Tactical grade inertial navigation system with GNSS.",
     model_number=6250,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x02),  # base.set_idle
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x05),  # base.built_in_test
-            (0x01, 0x06),  # base.resume
-            (0x01, 0x72),  # base.gps_time_update
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x01),  # 3dm.poll_imu_data
-            (0x0C, 0x02),  # 3dm.poll_gnss_data
-            (0x0C, 0x03),  # 3dm.poll_filter_data
-            (0x0C, 0x06),  # 3dm.get_imu_base_rate
-            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x09),  # 3dm.gnss_message_format
-            (0x0C, 0x0A),  # 3dm.filter_message_format
-            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-            (0x0C, 0x21),  # 3dm.constellation_settings
-            (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-            (0x0C, 0x51),  # 3dm.complementary_filter
-            (0x0C, 0x64),  # 3dm.device_status
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45.",
+            frozenset(
+                {
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
             (),
-        )
+        ),
     },
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
     incomplete=(
         "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
@@ -1412,34 +3953,266 @@ GQ7 = Device(
     title="3DM-GQ7-GNSS/INS",
     description="Inertial navigation system with two GNSS receivers.",
     model_number=6284,
-    fields=frozenset(
-        {
-            (0x0C, 0x04),  # 3dm.poll_nmea_data
-            (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0D, 0x05),  # filter.run
-            (0x0D, 0x15),  # filter.gnss_source
-            (0x0D, 0x1E),  # filter.auto_zupt
-            (0x0D, 0x20),  # filter.auto_angular_zupt
-            (0x0D, 0x43),  # filter.magnetic_declination_source
-            (0x0D, 0x52),  # filter.initialization_config
-            (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
-            (0x91, 0x03),  # gnss_1.llh_position
-            (0x91, 0x0B),  # gnss_1.fix_info
-            (0x92, 0x0D),  # gnss_2.hardware_status
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0xA0, 0x01),  # system_data.built_in_test
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x0C, 0x04),  # 3dm.poll_nmea_data
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x05),  # filter.run
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x52),  # filter.initialization_config
+                    (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
+                    (0x91, 0x03),  # gnss_1.llh_position
+                    (0x91, 0x0B),  # gnss_1.fix_info
+                    (0x92, 0x0D),  # gnss_2.hardware_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x80, 0x40),  # sensor.odometer
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                    (0x82, 0x42),  # filter_data.ned_relative_position
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
+                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
+                    (0x91, 0x04),  # gnss_1.ecef_position
+                    (0x91, 0x05),  # gnss_1.ned_velocity
+                    (0x91, 0x06),  # gnss_1.ecef_velocity
+                    (0x91, 0x12),  # gnss_1.sbas_info
+                    (0x91, 0x14),  # gnss_1.rf_error_detection
+                    (0x92, 0x03),  # gnss_2.llh_position
+                    (0x92, 0x04),  # gnss_2.ecef_position
+                    (0x92, 0x05),  # gnss_2.ned_velocity
+                    (0x92, 0x06),  # gnss_2.ecef_velocity
+                    (0x92, 0x12),  # gnss_2.sbas_info
+                    (0x92, 0x14),  # gnss_2.rf_error_detection
+                    (0x93, 0x30),  # gnss_corrections.base_station_info
+                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x54),  # filter.multi_antenna_offset
+                    (0x0D, 0x63),  # filter.wheeled_vehicle_constraint_control
+                    (0x92, 0x0B),  # gnss_2.fix_info
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0C, 0x43),  # 3dm.odometer_config
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0x0D, 0x55),  # filter.relative_position_config
+                    (0x0D, 0x56),  # filter.reference_point_lever_arm
+                    (0x0D, 0x61),  # filter.speed_lever_arm
+                    (0x0E, 0x02),  # gnss.signal_config
+                    (0x0E, 0x10),  # gnss.rtk_dongle_config
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            frozenset(
+                {
+                    (0x91, 0x07),  # gnss_1.dop
+                    (0x91, 0x11),  # gnss_1.gps_leap_seconds
+                    (0x92, 0x07),  # gnss_2.dop
+                    (0x92, 0x11),  # gnss_2.gps_leap_seconds
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0E, 0x01),  # gnss.receiver_info
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x35),  # filter_data.multi_antenna_offset_correction_uncertainty
+                    (0x82, 0x47),  # filter_data.odometer_scale_factor_error
+                    (0x82, 0x48),  # filter_data.odometer_scale_factor_error_uncertainty
+                    (0x91, 0x08),  # gnss_1.utc_time
+                    (0x91, 0x09),  # gnss_1.gps_time
+                    (0x91, 0x0D),  # gnss_1.hardware_status
+                    (0x91, 0x10),  # gnss_1.clock_info_2
+                    (0x91, 0x20),  # gnss_1.satellite_status
+                    (0x91, 0x22),  # gnss_1.raw
+                    (0x91, 0x61),  # gnss_1.gps_ephemeris
+                    (0x91, 0x62),  # gnss_1.glonass_ephemeris
+                    (0x91, 0x63),  # gnss_1.galileo_ephemeris
+                    (0x91, 0x64),  # gnss_1.beidou_ephemeris
+                    (0x92, 0x08),  # gnss_2.utc_time
+                    (0x92, 0x09),  # gnss_2.gps_time
+                    (0x92, 0x10),  # gnss_2.clock_info_2
+                    (0x92, 0x20),  # gnss_2.satellite_status
+                    (0x92, 0x22),  # gnss_2.raw
+                    (0x92, 0x61),  # gnss_2.gps_ephemeris
+                    (0x92, 0x62),  # gnss_2.glonass_ephemeris
+                    (0x92, 0x63),  # gnss_2.galileo_ephemeris
+                    (0x92, 0x64),  # gnss_2.beidou_ephemeris
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
-    base_rates={0x80: 1000, 0x82: 1000, 0x91: 2, 0x92: 2, 0x93: 0, 0xA0: 1000},
+    base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000, 0x91: 2, 0x92: 2, 0x93: 0},
     ports=(
-        Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA")),
-        Port("Aux", 2, (), ("MIP",)),
+        Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA"), ("MIP", "NMEA")),
+        Port("Aux", 2, (), ("MIP",), ("MIP",)),
     ),
-    limits={},
+    limits={"nmea_rate": Limit(10, "Hz", "Highest rate of an NMEA sentence, according to MSCL.")},
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.10 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -1452,19 +4225,17 @@ GQ7 = Device(
             ),
         ),
         "firmware": Note(
-            "Firmware",
-            "The system data set 0xA0 and NMEA on the main port require firmware later than 1.0.10.",
-            (),
+            "Firmware", "NMEA on the main port requires firmware later than 1.0.10.", ()
         ),
         "gpio_pins": Note(
             "GPIO pins",
             "Features of each pin, according to MSCL.",
             (
-                ("Pin", "Features"),
-                ("1", "GPIO, PPS, encoder"),
-                ("2", "GPIO, encoder"),
-                ("3", "GPIO, PPS"),
-                ("4", "GPIO"),
+                ("Pin", "Connector pin", "Features"),
+                ("1", "primary 7", "GPIO, PPS, encoder A"),
+                ("2", "primary 9", "GPIO, encoder B"),
+                ("3", "auxiliary 7", "GPIO, PPS"),
+                ("4", "auxiliary 9", "GPIO"),
             ),
         ),
         "nmea_output": Note(
@@ -1472,31 +4243,34 @@ GQ7 = Device(
             "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.",
             (),
         ),
+        "gnss_signals": Note(
+            "GNSS signals",
+            "Signals that can be enabled together by `gnss.signal_config`, according to MSCL.",
+            (
+                ("Constellation", "Choices"),
+                ("GPS", "none, L1 C/A + L2C"),
+                ("GLONASS", "none, L1 + L2"),
+                ("Galileo", "none, E1 + E5b"),
+                ("BeiDou", "none, B1 + B2"),
+            ),
+        ),
+        "receivers": Note(
+            "GNSS sets",
+            "The set 0x91 is of the first receiver, 0x92 of the second, 0x93 has the RTK corrections.",
+            (),
+        ),
     },
-    readings={},
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
-        (
-            0x0C,
-            0x50,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
-        (
-            0x0C,
-            0x54,
-        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
-    },
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "The baud rates of the Aux port are not known, nor all of its protocols.",
@@ -1522,34 +4296,211 @@ GV7_AHRS = Device(
     title="3DM-GV7-AHRS",
     description="Attitude and heading reference system.",
     model_number=6288,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x10),  # filter_data.status
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x41)  # 3dm.gpio_config
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
     },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (("Pin", "Features"), ("1", "GPIO, PPS, timestamp"), ("2", "GPIO, PPS, timestamp")),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
     also=(),
     generation=7,
     manual=None,
 )
 """Attitude and heading reference system. Generation 7. Model number 6288. No manual is known. This
-profile is incomplete: No manual is known. The SDK gives only its name and number.
+profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1560,34 +4511,211 @@ GV7_AR = Device(
     title="3DM-GV7-AR",
     description="Attitude reference.",
     model_number=6289,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x01),  # filter.reset
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x10),  # filter_data.status
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x53),  # filter.adaptive_filter_options
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x41)  # 3dm.gpio_config
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
     },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (("Pin", "Features"), ("1", "GPIO, PPS, timestamp"), ("2", "GPIO, PPS, timestamp")),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
     also=(),
     generation=7,
     manual=None,
 )
 """Attitude reference. Generation 7. Model number 6289. No manual is known. This profile is
-incomplete: No manual is known. The SDK gives only its name and number.
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1598,34 +4726,255 @@ GV7_INS = Device(
     title="3DM-GV7-INS",
     description="Inertial navigation system.",
     model_number=6290,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x0E),  # 3dm.get_base_rate
+                    (0x0C, 0x0F),  # 3dm.message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x50),  # filter.aiding_measurement_enable
+                    (0x0D, 0x52),  # filter.initialization_config
+                    (0x13, 0x01),  # aiding.frame_config
+                    (0x13, 0x22),  # aiding.llh_position
+                    (0x13, 0x29),  # aiding.ned_velocity
+                    (0x13, 0x2A),  # aiding.body_frame_velocity
+                    (0x13, 0x31),  # aiding.true_heading
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x10),  # filter_data.status
+                    (0xFF, 0xD3),  # shared.gps_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            frozenset(
+                {
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x0C, 0x28),  # 3dm.pps_source_control
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x0C, 0x42),  # 3dm.gpio_state
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x55),  # filter.relative_position_config
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x42),  # filter_data.ned_relative_position
+                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0D, 0x53)  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0xA0, 0x02),  # system_data.time_sync_status
+                    (0xA0, 0x03),  # system_data.gpio_state
+                    (0xFF, 0xD5),  # shared.reference_timestamp
+                    (0xFF, 0xD7),  # shared.external_timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x08),  # base.continuous_built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x04),  # 3dm.poll_nmea_data
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x0D),  # 3dm.poll_data
+                    (0x0C, 0x10),  # 3dm.factory_streaming
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x2A),  # 3dm.get_event_support
+                    (0x0C, 0x2B),  # 3dm.event_control
+                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
+                    (0x0C, 0x2D),  # 3dm.get_event_action_status
+                    (0x0C, 0x2E),  # 3dm.event_trigger_config
+                    (0x0C, 0x2F),  # 3dm.event_action_config
+                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
+                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x52),  # 3dm.sensor_range
+                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
+                    (0x0C, 0x54),  # 3dm.low_pass_filter
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x05),  # filter.run
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x56),  # filter.reference_point_lever_arm
+                    (0x13, 0x1F),  # aiding.echo_control
+                    (0x13, 0x21),  # aiding.ecef_position
+                    (0x13, 0x23),  # aiding.height_above_ellipsoid
+                    (0x13, 0x28),  # aiding.ecef_velocity
+                    (0x13, 0x32),  # aiding.magnetic_field
+                    (0x13, 0x33),  # aiding.pressure
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x14),  # sensor.temperature_statistics
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
+                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
+                    (0x94, 0x03),  # gnss_external.llh_position
+                    (0x94, 0x05),  # gnss_external.ned_velocity
+                    (0x94, 0x08),  # gnss_external.utc_time
+                    (0x94, 0x0B),  # gnss_external.fix_info
+                    (0x94, 0x20),  # gnss_external.satellite_status
+                    (0xA0, 0x01),  # system_data.built_in_test
+                    (0xFF, 0xD0),  # shared.event_source
+                    (0xFF, 0xD4),  # shared.delta_time
+                    (0xFF, 0xD6),  # shared.reference_time_delta
+                    (0xFF, 0xD8),  # shared.external_time_delta
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+    ports=(
+        Port("Main", 1, (), ("MIP",), ("MIP",)),
+        Port("UART 1", 17, (), ("MIP",), ("MIP",)),
+        Port("UART 2", 18, (), ("MIP",), ("MIP",)),
+        Port("USB 1", 33, (), ("MIP",), ("MIP",)),
+    ),
+    limits={
+        "aiding_frames": Limit(
+            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+        )
     },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "ports": Note(
+            "Ports",
+            "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the pins GPIO 1 and 2.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, according to MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, timestamp, UART 2"),
+                ("2", "GPIO, PPS, timestamp, UART 2"),
+            ),
+        ),
+    },
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
+        "filter_data.status.filter_state": filter_data.Cv7FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
+        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+    },
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
     also=(),
     generation=7,
     manual=None,
 )
 """Inertial navigation system. Generation 7. Model number 6290. No manual is known. This profile is
-incomplete: No manual is known. The SDK gives only its name and number.
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1634,9 +4983,47 @@ incomplete: No manual is known. The SDK gives only its name and number.
 GX3_15 = Device(
     id="3dm-gx3-15",
     title="3DM-GX3-15",
-    description="Device of generation 3, known only by its name and its number.",
+    description="Inertial sensor of generation 3.",
     model_number=6227,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x35)  # 3dm.imu_signal_conditioning
+                }
+            ),
+            ((12, 60),),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX3-35.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x36),  # 3dm.imu_timestamp
+                    (0x0C, 0x61),  # 3dm.device_power_state
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1647,28 +5034,16 @@ GX3_15 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=(
+        "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
+    ),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6227.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Inertial sensor of generation 3. Generation 3. Model number 6227. No manual is known. This
+profile is incomplete: Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later)
+is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1677,9 +5052,105 @@ number.
 GX3_25 = Device(
     id="3dm-gx3-25",
     title="3DM-GX3-25",
-    description="Device of generation 3, known only by its name and its number.",
+    description="Inertial sensor of generation 3.",
     model_number=6223,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0C, 0x35)  # 3dm.imu_signal_conditioning
+                }
+            ),
+            ((12, 60), (12, 61)),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x0C, 0x61)  # 3dm.device_power_state
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX3-35.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x36),  # 3dm.imu_timestamp
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (ROS driver of the vendor: Issue 347).",
+            frozenset(
+                {
+                    (0x0C, 0x0C),  # 3dm.nmea_message_format
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x43),  # 3dm.odometer_config
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x54),  # filter.multi_antenna_offset
+                    (0x0E, 0x02),  # gnss.signal_config
+                    (0x0E, 0x10),  # gnss.rtk_dongle_config
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
+                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
+                    (0x82, 0x40),  # filter_data.ecef_position
+                    (0x82, 0x41),  # filter_data.ecef_velocity
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213).",
+            frozenset(
+                {
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x91, 0x03),  # gnss_1.llh_position
+                    (0x91, 0x05),  # gnss_1.ned_velocity
+                    (0x91, 0x0B),  # gnss_1.fix_info
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1690,28 +5161,16 @@ GX3_25 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=(
+        "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
+    ),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6223.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Inertial sensor of generation 3. Generation 3. Model number 6223. No manual is known. This
+profile is incomplete: Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later)
+is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1720,53 +5179,74 @@ number.
 GX3_35 = Device(
     id="3dm-gx3-35",
     title="3DM-GX3-35",
-    description="Device of generation 3, known only by its name and its number.",
+    description="Inertial sensor of generation 3.",
     model_number=6225,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x34),  # 3dm.gps_dynamics_mode
+                    (0x0C, 0x35),  # 3dm.imu_signal_conditioning
+                    (0x0C, 0x36),  # 3dm.imu_timestamp
+                    (0x0C, 0x60),  # 3dm.data_stream_format
+                    (0x0C, 0x61),  # 3dm.device_power_state
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x0C, 0x62)  # 3dm.gps_advanced_settings
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
-    notes={},
+    notes={"receiver": Note("Receiver", "The GNSS receiver is of u-blox.", ())},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x34): "The SDK of 2014 has an example for this device.",  # 3dm.gps_dynamics_mode
-        (
-            0x0C,
-            0x35,
-        ): "The SDK of 2014 has an example for this device.",  # 3dm.imu_signal_conditioning
-        (0x0C, 0x36): "The SDK of 2014 has an example for this device.",  # 3dm.imu_timestamp
-        (0x0C, 0x60): "The SDK of 2014 has an example for this device.",  # 3dm.data_stream_format
-        (0x0C, 0x61): "The SDK of 2014 has an example for this device.",  # 3dm.device_power_state
-        (
-            0x0C,
-            0x62,
-        ): "The SDK of 2014 has an example for this device.",  # 3dm.gps_advanced_settings
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("Its manual (1.00 of 2011-01-04) is not known.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6225.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Inertial sensor of generation 3. Generation 3. Model number 6225. No manual is known. This
+profile is incomplete: Its manual (1.00 of 2011-01-04) is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1776,9 +5256,85 @@ number.
 GX3_45 = Device(
     id="3dm-gx3-45",
     title="3DM-GX3-45",
-    description="Device of generation 3, known only by its name and its number.",
+    description="Inertial sensor of generation 3.",
     model_number=6228,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x04),  # filter.set_initial_attitude_from_imu
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX3-35.",
+            frozenset(
+                {
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x35),  # 3dm.imu_signal_conditioning
+                    (0x0C, 0x36),  # 3dm.imu_timestamp
+                    (0x0C, 0x64),  # 3dm.device_status
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -1789,43 +5345,13 @@ GX3_45 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (
-            0x0D,
-            0x04,
-        ): "The SDK of 2014 has an example for this device.",  # filter.set_initial_attitude_from_imu
-        (0x0D, 0x10): "MSCL lists the choices for this device.",  # filter.vehicle_dynamics_mode
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6228.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Inertial sensor of generation 3. Generation 3. Model number 6228. No manual is known. This
+profile is incomplete: No manual is known. Uncertain: The SDK of 2014 has the model number 6226.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1835,57 +5361,134 @@ number.
 GX4_15 = Device(
     id="3dm-gx4-15",
     title="3DM-GX4-15",
-    description="Device of generation 4, known only by its name and its number.",
+    description="Device of generation 4.",
     model_number=6233,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0D, 0x45)  # filter.mag_magnitude_error_adaptive_measurement
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX4-25.",
+            frozenset(
+                {
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
-        )
+        ),
     },
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6233.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Device of generation 4. Generation 4. Model number 6233. No manual is known. This profile is
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1894,58 +5497,158 @@ number.
 GX4_25 = Device(
     id="3dm-gx4-25",
     title="3DM-GX4-25",
-    description="Device of generation 4, known only by its name and its number.",
+    description="Device of generation 4.",
     model_number=6234,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (Public programs of users: Driver imu_3dm_gx4).",
+            frozenset(
+                {
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-25.",
+            frozenset(
+                {
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (MicroStrain Communication Library: Issue 30).",
+            frozenset(
+                {
+                    (0x82, 0x07)  # filter_data.accel_bias
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
-    base_rates={},
+    base_rates={0x80: 1000, 0x82: 500},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
-        )
+        ),
     },
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("Its manual (of 2014-12-23) is not known.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6234.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Device of generation 4. Generation 4. Model number 6234. No manual is known. This profile is
+incomplete: Its manual (of 2014-12-23) is not known. Uncertain: A ROS driver by others uses the
+model number 6253 for it, which is that of the 3DM-GX5-25.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1954,58 +5657,150 @@ number.
 GX4_45 = Device(
     id="3dm-gx4-45",
     title="3DM-GX4-45",
-    description="Device of generation 4, known only by its name and its number.",
+    description="Device of generation 4.",
     model_number=6236,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-25.",
+            frozenset(
+                {
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
-        )
+        ),
     },
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6236.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+"""Device of generation 4. Generation 4. Model number 6236. No manual is known. This profile is
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2016,7 +5811,55 @@ GX5_10 = Device(
     title="3DM-GX5-10",
     description="Inertial measurement unit.",
     model_number=6255,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -2029,33 +5872,18 @@ GX5_10 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-GX5-IMU",),
     generation=5,
     manual=None,
 )
 """Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2066,88 +5894,108 @@ GX5_15 = Device(
     title="3DM-GX5-15",
     description="Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
     model_number=6254,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x02),  # base.set_idle
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x05),  # base.built_in_test
-            (0x01, 0x06),  # base.resume
-            (0x01, 0x07),  # base.get_extended_descriptors
-            (0x01, 0x72),  # base.gps_time_update
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x01),  # 3dm.poll_imu_data
-            (0x0C, 0x03),  # 3dm.poll_filter_data
-            (0x0C, 0x06),  # 3dm.get_imu_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x0A),  # 3dm.filter_message_format
-            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-            (0x0C, 0x51),  # 3dm.complementary_filter
-            (0x0C, 0x64),  # 3dm.device_status
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x02),  # filter.set_initial_attitude
-            (0x0D, 0x03),  # filter.set_initial_heading
-            (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-            (0x0D, 0x14),  # filter.estimation_control
-            (0x0D, 0x17),  # filter.external_heading_update
-            (0x0D, 0x18),  # filter.heading_source
-            (0x0D, 0x19),  # filter.auto_initialization_control
-            (0x0D, 0x1A),  # filter.accel_noise
-            (0x0D, 0x1B),  # filter.gyro_noise
-            (0x0D, 0x1D),  # filter.gyro_bias_model
-            (0x0D, 0x1F),  # filter.external_heading_update_with_time
-            (0x0D, 0x20),  # filter.auto_angular_zupt
-            (0x0D, 0x21),  # filter.tare_orientation
-            (0x0D, 0x23),  # filter.commanded_angular_zupt
-            (0x0D, 0x26),  # filter.reference_position
-            (0x0D, 0x28),  # filter.gravity_noise
-            (0x0D, 0x41),  # filter.enable_measurements
-            (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-            (0x0D, 0x4B),  # filter.pitch_roll_aiding
-            (0x7F, 0x10),  # system.comm_mode
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x80, 0x05),  # sensor.scaled_gyro
-            (0x80, 0x07),  # sensor.delta_theta
-            (0x80, 0x08),  # sensor.delta_velocity
-            (0x80, 0x09),  # sensor.comp_orientation_matrix
-            (0x80, 0x0A),  # sensor.comp_quaternion
-            (0x80, 0x0C),  # sensor.comp_euler_angles
-            (0x80, 0x10),  # sensor.north_vector
-            (0x80, 0x11),  # sensor.up_vector
-            (0x80, 0x12),  # sensor.gps_timestamp
-            (0x80, 0x17),  # sensor.scaled_pressure
-            (0x82, 0x03),  # filter_data.attitude_quaternion
-            (0x82, 0x04),  # filter_data.attitude_dcm
-            (0x82, 0x05),  # filter_data.euler_angles
-            (0x82, 0x06),  # filter_data.gyro_bias
-            (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-            (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-            (0x82, 0x0D),  # filter_data.linear_accel
-            (0x82, 0x0E),  # filter_data.comp_angular_rate
-            (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-            (0x82, 0x10),  # filter_data.status
-            (0x82, 0x11),  # filter_data.timestamp
-            (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-            (0x82, 0x13),  # filter_data.gravity_vector
-            (0x82, 0x14),  # filter_data.heading_update_state
-            (0x82, 0x1C),  # filter_data.comp_accel
-            (0x82, 0x21),  # filter_data.pressure_altitude
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (MicroStrain Communication Library: Issue 301).",
+            frozenset(
+                {
+                    (0x80, 0x01),  # sensor.raw_accel
+                    (0x80, 0x02),  # sensor.raw_gyro
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x0D, 0x21): "WSLD"},
     base_rates={0x80: 1000, 0x82: 500},
     ports=(
-        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",)),
-        Port("USB", None, (), ("MIP",)),
+        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("USB", None, (), ("MIP",), ("MIP",)),
     ),
     limits={
         "low_pass_cutoff": Limit(250, "Hz", "Highest cutoff of the low-pass filters."),
@@ -2208,7 +6056,6 @@ GX5_15 = Device(
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5]),
-    perhaps={},
     incomplete=(),
     also=("3DM-GX5-AR",),
     generation=5,
@@ -2227,7 +6074,214 @@ GX5_25 = Device(
     title="3DM-GX5-25",
     description="Attitude and heading reference system.",
     model_number=6253,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "transcribed",
+            "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
+            frozenset(
+                {
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x18),  # filter.heading_source
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
+            frozenset(
+                {
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x26),  # filter.reference_position
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver microstrain_mips: Conditions by model).",
+            frozenset(
+                {
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x41),  # filter.enable_measurements
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (ROS driver of the vendor: Issue 238).",
+            frozenset(
+                {
+                    (0x0C, 0x41),  # 3dm.gpio_config
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
+                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
+                    (0x91, 0x03),  # gnss_1.llh_position
+                    (0x91, 0x0B),  # gnss_1.fix_info
+                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368).",
+            frozenset(
+                {
+                    (0x80, 0x18),  # sensor.overrange_status
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x92, 0x0B),  # gnss_2.fix_info
+                    (0x92, 0x12),  # gnss_2.sbas_info
+                    (0x92, 0x14),  # gnss_2.rf_error_detection
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200).",
+            frozenset(
+                {
+                    (0x82, 0x02)  # filter_data.ned_velocity
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -2240,35 +6294,21 @@ GX5_25 = Device(
         )
     },
     readings={
+        "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("Its manual (8500-0065) is not known.",),
     also=("3DM-GX5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-GX5-AHRS. Generation 5. Model number 6253.
-No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
-number.
+No manual is known. This profile is incomplete: Its manual (8500-0065) is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2279,39 +6319,94 @@ GX5_35 = Device(
     title="3DM-GX5-35",
     description="Attitude and heading reference with GNSS.",
     model_number=6252,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x07),  # base.get_extended_descriptors
-            (0x01, 0x72),  # base.gps_time_update
-            (0x0C, 0x01),  # 3dm.poll_imu_data
-            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x09),  # 3dm.gnss_message_format
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x21),  # 3dm.constellation_settings
-            (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-            (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-            (0x0C, 0x24),  # 3dm.gnss_time_assistance
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0C, 0x51),  # 3dm.complementary_filter
-            (0x0C, 0x64),  # 3dm.device_status
-            (0x7F, 0x10),  # system.comm_mode
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x80, 0x05),  # sensor.scaled_gyro
-            (0x80, 0x06),  # sensor.scaled_mag
-            (0x80, 0x07),  # sensor.delta_theta
-            (0x80, 0x11),  # sensor.up_vector
-            (0x80, 0x12),  # sensor.gps_timestamp
-            (0x80, 0x17),  # sensor.scaled_pressure
-            (0x81, 0x06),  # gnss_data.ecef_velocity
-            (0x81, 0x0E),  # gnss_data.dgps_info
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x81, 0x06),  # gnss_data.ecef_velocity
+                    (0x81, 0x0E),  # gnss_data.dgps_info
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x04),  # gnss_data.ecef_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x07),  # gnss_data.dop
+                    (0x81, 0x08),  # gnss_data.utc_time
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x81, 0x0A),  # gnss_data.clock_info
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x81, 0x0C),  # gnss_data.sv_info
+                    (0x81, 0x0D),  # gnss_data.hardware_status
+                    (0x81, 0x0F),  # gnss_data.dgps_channel
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={0x80: 500, 0x81: 4},
@@ -2344,116 +6439,6 @@ GX5_35 = Device(
         "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (
-            0x01,
-            0x02,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.set_idle
-        (
-            0x01,
-            0x05,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.built_in_test
-        (
-            0x01,
-            0x06,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.resume
-        (
-            0x01,
-            0x7E,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.soft_reset
-        (
-            0x0C,
-            0x02,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.poll_gnss_data
-        (
-            0x0C,
-            0x06,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.get_imu_base_rate
-        (
-            0x0C,
-            0x38,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gyro_bias
-        (
-            0x0C,
-            0x3A,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.mag_hard_iron_offset
-        (
-            0x0C,
-            0x3E,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.coning_sculling_enable
-        (
-            0x0C,
-            0x40,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.uart_baud_rate
-        (
-            0x0C,
-            0x50,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.imu_low_pass_filter
-        (
-            0x80,
-            0x08,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_velocity
-        (
-            0x80,
-            0x09,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_orientation_matrix
-        (
-            0x80,
-            0x0A,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_quaternion
-        (
-            0x80,
-            0x0C,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_euler_angles
-        (
-            0x80,
-            0x10,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.north_vector
-        (
-            0x81,
-            0x03,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.llh_position
-        (
-            0x81,
-            0x04,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_position
-        (
-            0x81,
-            0x05,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ned_velocity
-        (
-            0x81,
-            0x07,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dop
-        (
-            0x81,
-            0x08,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.utc_time
-        (
-            0x81,
-            0x09,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.gps_time
-        (
-            0x81,
-            0x0A,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.clock_info
-        (
-            0x81,
-            0x0B,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.fix_info
-        (
-            0x81,
-            0x0C,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.sv_info
-        (
-            0x81,
-            0x0D,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.hardware_status
-        (
-            0x81,
-            0x0F,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dgps_channel
-    },
     incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
     also=("3DM-GX5-GNSS/AHRS",),
     generation=5,
@@ -2473,75 +6458,250 @@ GX5_45 = Device(
     title="3DM-GX5-45",
     description="Inertial navigation system with GNSS, magnetometer and pressure sensor.",
     model_number=6251,
-    fields=frozenset(
-        {
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x02),  # 3dm.poll_gnss_data
-            (0x0C, 0x03),  # 3dm.poll_filter_data
-            (0x0C, 0x06),  # 3dm.get_imu_base_rate
-            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x09),  # 3dm.gnss_message_format
-            (0x0C, 0x0A),  # 3dm.filter_message_format
-            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x64),  # 3dm.device_status
-            (0x0D, 0x03),  # filter.set_initial_heading
-            (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-            (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-            (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-            (0x0D, 0x13),  # filter.antenna_offset
-            (0x0D, 0x14),  # filter.estimation_control
-            (0x0D, 0x15),  # filter.gnss_source
-            (0x0D, 0x16),  # filter.external_gnss_update
-            (0x0D, 0x17),  # filter.external_heading_update
-            (0x0D, 0x18),  # filter.heading_source
-            (0x0D, 0x19),  # filter.auto_initialization_control
-            (0x0D, 0x1A),  # filter.accel_noise
-            (0x0D, 0x1B),  # filter.gyro_noise
-            (0x0D, 0x1C),  # filter.accel_bias_model
-            (0x0D, 0x1D),  # filter.gyro_bias_model
-            (0x0D, 0x1E),  # filter.auto_zupt
-            (0x0D, 0x1F),  # filter.external_heading_update_with_time
-            (0x0D, 0x20),  # filter.auto_angular_zupt
-            (0x0D, 0x21),  # filter.tare_orientation
-            (0x0D, 0x22),  # filter.commanded_zupt
-            (0x0D, 0x23),  # filter.commanded_angular_zupt
-            (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-            (0x0D, 0x28),  # filter.gravity_noise
-            (0x0D, 0x29),  # filter.pressure_altitude_noise
-            (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-            (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-            (0x0D, 0x42),  # filter.mag_noise
-            (0x0D, 0x43),  # filter.magnetic_declination_source
-            (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-            (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-            (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-            (0x0D, 0x47),  # filter.altitude_aiding
-            (0x0D, 0x4B),  # filter.pitch_roll_aiding
-            (0x7F, 0x10),  # system.comm_mode
-            (0x80, 0x04),  # sensor.scaled_accel
-            (0x80, 0x05),  # sensor.scaled_gyro
-            (0x80, 0x06),  # sensor.scaled_mag
-            (0x81, 0x0C),  # gnss_data.sv_info
-            (0x81, 0x0D),  # gnss_data.hardware_status
-            (0x81, 0x0E),  # gnss_data.dgps_info
-            (0x81, 0x0F),  # gnss_data.dgps_channel
-            (0x82, 0x04),  # filter_data.attitude_dcm
-            (0x82, 0x05),  # filter_data.euler_angles
-            (0x82, 0x0E),  # filter_data.comp_angular_rate
-            (0x82, 0x14),  # filter_data.heading_update_state
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+                    (0x0D, 0x28),  # filter.gravity_noise
+                    (0x0D, 0x29),  # filter.pressure_altitude_noise
+                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x0D, 0x47),  # filter.altitude_aiding
+                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x0C),  # gnss_data.sv_info
+                    (0x81, 0x0D),  # gnss_data.hardware_status
+                    (0x81, 0x0E),  # gnss_data.dgps_info
+                    (0x81, 0x0F),  # gnss_data.dgps_channel
+                    (0x82, 0x04),  # filter_data.attitude_dcm
+                    (0x82, 0x05),  # filter_data.euler_angles
+                    (0x82, 0x0E),  # filter_data.comp_angular_rate
+                    (0x82, 0x14),  # filter_data.heading_update_state
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
+            frozenset(
+                {
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x07),  # base.get_extended_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x0D, 0x01),  # filter.reset
+                    (0x80, 0x12),  # sensor.gps_timestamp
+                    (0x81, 0x0B),  # gnss_data.fix_info
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x10),  # filter_data.status
+                    (0x82, 0x11),  # filter_data.timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x0C, 0x39)  # 3dm.capture_gyro_bias
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
+            frozenset(
+                {
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x51),  # 3dm.complementary_filter
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x26),  # filter.reference_position
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x0D, 0x53)  # filter.adaptive_filter_options
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+            frozenset(
+                {
+                    (0x80, 0x0A),  # sensor.comp_quaternion
+                    (0x80, 0x17),  # sensor.scaled_pressure
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x07),  # gnss_data.dop
+                    (0x82, 0x03),  # filter_data.attitude_quaternion
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            frozenset(
+                {
+                    (0x01, 0x04)  # base.get_device_descriptors
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35.",
+            frozenset(
+                {
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x72),  # base.gps_time_update
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x21),  # 3dm.constellation_settings
+                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x80, 0x07),  # sensor.delta_theta
+                    (0x80, 0x08),  # sensor.delta_velocity
+                    (0x80, 0x09),  # sensor.comp_orientation_matrix
+                    (0x80, 0x0C),  # sensor.comp_euler_angles
+                    (0x80, 0x10),  # sensor.north_vector
+                    (0x80, 0x11),  # sensor.up_vector
+                    (0x81, 0x04),  # gnss_data.ecef_position
+                    (0x81, 0x06),  # gnss_data.ecef_velocity
+                    (0x81, 0x08),  # gnss_data.utc_time
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x81, 0x0A),  # gnss_data.clock_info
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            frozenset(
+                {
+                    (0x82, 0x06),  # filter_data.gyro_bias
+                    (0x82, 0x07),  # filter_data.accel_bias
+                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
+                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
+                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
+                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
+                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
+                    (0x82, 0x0D),  # filter_data.linear_accel
+                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
+                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
+                    (0x82, 0x13),  # filter_data.gravity_vector
+                    (0x82, 0x15),  # filter_data.magnetic_model
+                    (0x82, 0x1C),  # filter_data.comp_accel
+                    (0x82, 0x20),  # filter_data.standard_atmosphere
+                    (0x82, 0x21),  # filter_data.pressure_altitude
+                    (0x82, 0x25),  # filter_data.mag_offset
+                    (0x82, 0x26),  # filter_data.mag_matrix
+                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
+                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (MicroStrain Communication Library: Issue 43).",
+            frozenset(
+                {
+                    (0x80, 0x01)  # sensor.raw_accel
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x0D, 0x21): "WSLD"},
     base_rates={0x80: 500, 0x81: 4, 0x82: 500},
     ports=(
-        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",)),
-        Port("USB", None, (), ("MIP",)),
+        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",), ("MIP",)),
+        Port("USB", None, (), ("MIP",), ("MIP",)),
     ),
     limits={
         "baud_rate_delay": Limit(
@@ -2571,171 +6731,11 @@ GX5_45 = Device(
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (
-            0x01,
-            0x01,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.ping
-        (
-            0x01,
-            0x02,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.set_idle
-        (
-            0x01,
-            0x04,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.get_device_descriptors
-        (
-            0x01,
-            0x05,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.built_in_test
-        (
-            0x01,
-            0x06,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.resume
-        (
-            0x01,
-            0x07,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.get_extended_descriptors
-        (
-            0x01,
-            0x72,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.gps_time_update
-        (
-            0x0C,
-            0x01,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.poll_imu_data
-        (
-            0x0C,
-            0x11,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.data_stream_control
-        (
-            0x0C,
-            0x21,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.constellation_settings
-        (
-            0x0C,
-            0x22,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_sbas_settings
-        (
-            0x0C,
-            0x23,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_assisted_fix
-        (
-            0x0C,
-            0x24,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_time_assistance
-        (
-            0x0C,
-            0x37,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.accel_bias
-        (
-            0x0C,
-            0x38,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gyro_bias
-        (
-            0x0C,
-            0x39,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.capture_gyro_bias
-        (
-            0x0C,
-            0x3B,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.mag_soft_iron_matrix
-        (
-            0x0C,
-            0x3E,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.coning_sculling_enable
-        (
-            0x0C,
-            0x50,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.imu_low_pass_filter
-        (
-            0x0C,
-            0x51,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.complementary_filter
-        (
-            0x0D,
-            0x01,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # filter.reset
-        (
-            0x0D,
-            0x02,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # filter.set_initial_attitude
-        (0x0D, 0x53): "MSCL lists the choices for this device.",  # filter.adaptive_filter_options
-        (
-            0x80,
-            0x07,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_theta
-        (
-            0x80,
-            0x08,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_velocity
-        (
-            0x80,
-            0x09,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_orientation_matrix
-        (
-            0x80,
-            0x0A,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_quaternion
-        (
-            0x80,
-            0x0C,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_euler_angles
-        (
-            0x80,
-            0x10,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.north_vector
-        (
-            0x80,
-            0x11,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.up_vector
-        (
-            0x80,
-            0x12,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.gps_timestamp
-        (
-            0x80,
-            0x17,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.scaled_pressure
-        (
-            0x81,
-            0x03,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.llh_position
-        (
-            0x81,
-            0x04,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_position
-        (
-            0x81,
-            0x05,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ned_velocity
-        (
-            0x81,
-            0x06,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_velocity
-        (
-            0x81,
-            0x07,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dop
-        (
-            0x81,
-            0x08,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.utc_time
-        (
-            0x81,
-            0x09,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.gps_time
-        (
-            0x81,
-            0x0A,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.clock_info
-        (
-            0x81,
-            0x0B,
-        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.fix_info
-    },
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "Only four fields of the filter data are listed; the manual has 27 or more.",
@@ -2762,41 +6762,64 @@ the sensor data. Uncertain: The manual gives the length of
 MV5_AR = Device(
     id="3dm-mv5-ar",
     title="3DM-MV5-AR",
-    description="Device of generation 5, known only by its name and its number.",
+    description="Device of generation 5.",
     model_number=6243,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x06),  # base.resume
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
-    notes={},
+    notes={
+        "j1939": Note(
+            "J1939",
+            "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a driver by others. Angles have 1/32768 deg, rates 1/128 deg/s, accelerations 0.01 m/s^2 for each step.",
+            (
+                ("Message", "PGN", "Signals", "Offset"),
+                ("Slope sensor 2", "0xF029", "pitch (bits 0 to 23), roll (24 to 47)", "-250 deg"),
+                (
+                    "Angular rate",
+                    "0xF02A",
+                    "pitch (0 to 15), roll (16 to 31), yaw (32 to 47)",
+                    "-250 deg/s",
+                ),
+                (
+                    "Acceleration",
+                    "0xF02D",
+                    "lateral (0 to 15), longitudinal (16 to 31), vertical (32 to 47)",
+                    "-320 m/s^2",
+                ),
+            ),
+        )
+    },
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
-        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
-    },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    incomplete=("No manual is known.",),
     also=("3DM-MV5-15",),
     generation=5,
     manual=None,
 )
-"""Device of generation 5, known only by its name and its number. Also called 3DM-MV5-15. Generation
-5. Model number 6243. No manual is known. This profile is incomplete: No manual is known. The SDK
-gives only its name and number.
+"""Device of generation 5. Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is
+known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2807,46 +6830,104 @@ RQ1_45_LT = Device(
     title="3DM-RQ1-45-LT",
     description="Ruggedized tactical grade inertial navigation system with GPS.",
     model_number=6232,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x02),  # base.set_idle
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x05),  # base.built_in_test
-            (0x01, 0x06),  # base.resume
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x01),  # 3dm.poll_imu_data
-            (0x0C, 0x02),  # 3dm.poll_gnss_data
-            (0x0C, 0x03),  # 3dm.poll_filter_data
-            (0x0C, 0x06),  # 3dm.get_imu_base_rate
-            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x09),  # 3dm.gnss_message_format
-            (0x0C, 0x0A),  # 3dm.filter_message_format
-            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-            (0x0C, 0x64),  # 3dm.device_status
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x02),  # filter.set_initial_attitude
-            (0x0D, 0x03),  # filter.set_initial_heading
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "example",
+            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            frozenset(
+                {
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
@@ -2863,18 +6944,6 @@ RQ1_45_LT = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
@@ -2899,46 +6968,104 @@ RQ1_45_ST = Device(
     title="3DM-RQ1-45-ST",
     description="Ruggedized tactical grade inertial navigation system with GPS.",
     model_number=6239,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # base.ping
-            (0x01, 0x02),  # base.set_idle
-            (0x01, 0x03),  # base.get_device_info
-            (0x01, 0x04),  # base.get_device_descriptors
-            (0x01, 0x05),  # base.built_in_test
-            (0x01, 0x06),  # base.resume
-            (0x01, 0x7E),  # base.soft_reset
-            (0x0C, 0x01),  # 3dm.poll_imu_data
-            (0x0C, 0x02),  # 3dm.poll_gnss_data
-            (0x0C, 0x03),  # 3dm.poll_filter_data
-            (0x0C, 0x06),  # 3dm.get_imu_base_rate
-            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-            (0x0C, 0x08),  # 3dm.imu_message_format
-            (0x0C, 0x09),  # 3dm.gnss_message_format
-            (0x0C, 0x0A),  # 3dm.filter_message_format
-            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-            (0x0C, 0x11),  # 3dm.data_stream_control
-            (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-            (0x0C, 0x30),  # 3dm.device_settings
-            (0x0C, 0x37),  # 3dm.accel_bias
-            (0x0C, 0x38),  # 3dm.gyro_bias
-            (0x0C, 0x39),  # 3dm.capture_gyro_bias
-            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-            (0x0C, 0x40),  # 3dm.uart_baud_rate
-            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-            (0x0C, 0x64),  # 3dm.device_status
-            (0x0D, 0x01),  # filter.reset
-            (0x0D, 0x02),  # filter.set_initial_attitude
-            (0x0D, 0x03),  # filter.set_initial_heading
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its manual has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x01),  # 3dm.poll_imu_data
+                    (0x0C, 0x02),  # 3dm.poll_gnss_data
+                    (0x0C, 0x03),  # 3dm.poll_filter_data
+                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
+                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+                    (0x0C, 0x08),  # 3dm.imu_message_format
+                    (0x0C, 0x09),  # 3dm.gnss_message_format
+                    (0x0C, 0x0A),  # 3dm.filter_message_format
+                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+                    (0x0C, 0x11),  # 3dm.data_stream_control
+                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0C, 0x37),  # 3dm.accel_bias
+                    (0x0C, 0x38),  # 3dm.gyro_bias
+                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
+                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+                    (0x0C, 0x40),  # 3dm.uart_baud_rate
+                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+                    (0x0C, 0x64),  # 3dm.device_status
+                    (0x0D, 0x01),  # filter.reset
+                    (0x0D, 0x02),  # filter.set_initial_attitude
+                    (0x0D, 0x03),  # filter.set_initial_heading
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "sister",
+            "A nearly equal device has it, 3DM-RQ1-45-LT.",
+            frozenset(
+                {
+                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+                    (0x0D, 0x13),  # filter.antenna_offset
+                    (0x0D, 0x14),  # filter.estimation_control
+                    (0x0D, 0x15),  # filter.gnss_source
+                    (0x0D, 0x16),  # filter.external_gnss_update
+                    (0x0D, 0x17),  # filter.external_heading_update
+                    (0x0D, 0x18),  # filter.heading_source
+                    (0x0D, 0x19),  # filter.auto_initialization_control
+                    (0x0D, 0x1A),  # filter.accel_noise
+                    (0x0D, 0x1B),  # filter.gyro_noise
+                    (0x0D, 0x1C),  # filter.accel_bias_model
+                    (0x0D, 0x1D),  # filter.gyro_bias_model
+                    (0x0D, 0x1E),  # filter.auto_zupt
+                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
+                    (0x0D, 0x20),  # filter.auto_angular_zupt
+                    (0x0D, 0x21),  # filter.tare_orientation
+                    (0x0D, 0x22),  # filter.commanded_zupt
+                    (0x0D, 0x23),  # filter.commanded_angular_zupt
+                    (0x0D, 0x42),  # filter.mag_noise
+                    (0x0D, 0x43),  # filter.magnetic_declination_source
+                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+                    (0x7F, 0x10),  # system.comm_mode
+                    (0x80, 0x04),  # sensor.scaled_accel
+                    (0x80, 0x05),  # sensor.scaled_gyro
+                    (0x80, 0x06),  # sensor.scaled_mag
+                    (0x81, 0x03),  # gnss_data.llh_position
+                    (0x81, 0x05),  # gnss_data.ned_velocity
+                    (0x81, 0x09),  # gnss_data.gps_time
+                    (0x82, 0x01),  # filter_data.llh_position
+                    (0x82, 0x02),  # filter_data.ned_velocity
+                    (0x82, 0x05),  # filter_data.euler_angles
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={
+        "direct_mode": Note(
+            "Direct modes",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+            (),
+        ),
         "device_status": Note(
             "Device status",
             "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
@@ -2955,18 +7082,6 @@ RQ1_45_ST = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     ack_codes=frozenset([]),
-    perhaps={
-        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
-        (
-            0x0D,
-            0x44,
-        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
-        (
-            0x0D,
-            0x45,
-        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
-    },
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
@@ -2991,34 +7106,48 @@ RTK = Device(
     title="3DM-RTK",
     description="Modem for GNSS corrections.",
     model_number=6285,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "software",
+            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            frozenset(
+                {
+                    (0x01, 0x01),  # base.ping
+                    (0x01, 0x02),  # base.set_idle
+                    (0x01, 0x03),  # base.get_device_info
+                    (0x01, 0x04),  # base.get_device_descriptors
+                    (0x01, 0x05),  # base.built_in_test
+                    (0x01, 0x06),  # base.resume
+                    (0x01, 0x09),  # base.comm_speed
+                    (0x01, 0x7E),  # base.soft_reset
+                    (0x0C, 0x30),  # 3dm.device_settings
+                    (0x0F, 0x01),  # rtk.get_status_flags
+                    (0x0F, 0x07),  # rtk.get_activation_code
+                    (0x7F, 0x10),  # system.comm_mode
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
     limits={},
     notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
-        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
-        (
-            0x01,
-            0x03,
-        ): "The vendor's software requests it from every device.",  # base.get_device_info
-        (
-            0x01,
-            0x04,
-        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+    readings={
+        "base.comm_speed.port": types.CommInterface,
+        "base.built_in_test_response.result": types.Cv7BuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
     },
-    incomplete=("No manual is known. The SDK gives only its name and number.",),
+    ack_codes=frozenset([]),
+    incomplete=("No manual is known.",),
     also=(),
     generation=7,
     manual=None,
 )
 """Modem for GNSS corrections. Generation 7. Model number 6285. No manual is known. This profile is
-incomplete: No manual is known. The SDK gives only its name and number.
+incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3032,6 +7161,7 @@ DEVICES: dict[str, Device] = {
     "3dm-cv5-10": CV5_10,
     "3dm-cv5-15": CV5_15,
     "3dm-cv5-25": CV5_25,
+    "3dm-cv5-45": CV5_45,
     "3dm-cv7-ahrs": CV7_AHRS,
     "3dm-cv7-ar": CV7_AR,
     "3dm-cv7-gnss-ins": CV7_GNSS_INS,
@@ -3041,6 +7171,9 @@ DEVICES: dict[str, Device] = {
     "3dm-cx5-25": CX5_25,
     "3dm-cx5-35": CX5_35,
     "3dm-cx5-45": CX5_45,
+    "3dm-cx7-ahrs": CX7_AHRS,
+    "3dm-cx7-ar": CX7_AR,
+    "3dm-cx7-ins": CX7_INS,
     "3dm-dh3": DH3,
     "3dm-gq4-45": GQ4_45,
     "3dm-gq7": GQ7,
@@ -3089,14 +7222,15 @@ def identify(info: DeviceInfo) -> Device | None:
 
 # fmt: off
 __all__ = [
-    "DEVICES", "Device", "DeviceInfo", "Limit", "Note", "Port", "by_model", "by_name", "find", "identify",
-    "model_number",
+    "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name", "find",
+    "identify", "model_number",
     "CL5_10",
     "CL5_15",
     "CL5_25",
     "CV5_10",
     "CV5_15",
     "CV5_25",
+    "CV5_45",
     "CV7_AHRS",
     "CV7_AR",
     "CV7_GNSS_INS",
@@ -3106,6 +7240,9 @@ __all__ = [
     "CX5_25",
     "CX5_35",
     "CX5_45",
+    "CX7_AHRS",
+    "CX7_AR",
+    "CX7_INS",
     "DH3",
     "GQ4_45",
     "GQ7",

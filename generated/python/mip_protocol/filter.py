@@ -306,8 +306,9 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    only from the MicroStrain MIP SDK.
+    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -346,7 +347,10 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -393,8 +397,9 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -436,7 +441,9 @@ _ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably
+    supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -480,9 +487,10 @@ _ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -521,7 +529,9 @@ _GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably
+    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
+    3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -560,9 +570,9 @@ _HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -602,7 +612,9 @@ class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
-    3DM-GX5-15 and 3DM-GX5-45.
+    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -641,7 +653,11 @@ _ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -682,7 +698,11 @@ _GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -723,7 +743,9 @@ _ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] *
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by
+    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
+    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -773,7 +795,11 @@ _GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -824,8 +850,9 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
+    3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -869,7 +896,10 @@ class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
     Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15 and 3DM-GX5-45.
+    3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -913,7 +943,9 @@ _REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "long
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
+    and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -975,7 +1007,10 @@ _GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1016,8 +1051,9 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -1056,7 +1092,9 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -1096,7 +1134,9 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -1138,8 +1178,11 @@ _TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the setting back; the
-    manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+    Answers `TareOrientation`. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: Which devices send it. The SDK reads the
+    setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor
+    the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -1179,7 +1222,8 @@ _ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -1218,7 +1262,9 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1259,7 +1305,10 @@ class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
     Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -1315,9 +1364,10 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
-    supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1440,9 +1490,10 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. May be supported by
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK.
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1566,8 +1617,9 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1659,7 +1711,8 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1698,7 +1751,9 @@ _PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45
+    and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1917,8 +1972,9 @@ _AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enab
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-AHRS and 3DM-CV7-AR.
+    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -2033,7 +2089,8 @@ class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
-    by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -2175,7 +2232,9 @@ _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -2218,7 +2277,8 @@ _MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -2269,7 +2329,8 @@ class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
     Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -2338,7 +2399,8 @@ class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
     Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -2391,7 +2453,7 @@ _SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -2478,7 +2540,8 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -2562,7 +2625,10 @@ class Reset(Command[None]):
     Returns the filter to its initialization state.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2596,7 +2662,9 @@ class SetInitialAttitude(Command[None]):
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
 
-    Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45,
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     Accepted only in the initialization state.
 
@@ -2649,7 +2717,10 @@ class SetInitialHeading(Command[None]):
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2694,9 +2765,9 @@ class SetInitialAttitudeFromImu(Command[None]):
 
     Initializes the attitude of the filter with that of the complementary filter.
 
-    Also called `set_initial_heading_from_mag`. May be supported by 3DM-GX3-45. Known only from the
-    MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name.
-    The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+    Also called `set_initial_heading_from_mag`. Probably supported by 3DM-GX3-45. Known only from
+    the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The
+    name. The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
     layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
 
     - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
@@ -2737,7 +2808,8 @@ class Run(Command[None]):
 
     Starts a filter that is configured to wait for this command.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2772,8 +2844,9 @@ class VehicleDynamicsMode(Command[R]):
     Adapts the filter to the motion that it has to expect.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    only from the MicroStrain MIP SDK.
+    `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by
+    3DM-GX3-25. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2884,9 +2957,11 @@ class SensorToVehicleRotationEuler(Command[R]):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
-    formula. The text of the manual lacks it; it is the inverse of that of
-    `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Uncertain: The formula. The text of the manual lacks it; it is the inverse of
+    that of `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
@@ -3024,9 +3099,10 @@ class SensorToVehicleOffset(Command[R]):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
-    from the name.
+    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
+    the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
+    frame, is inferred from the name.
 
     It shifts only `filter_data.LlhPosition`. The shift is constant. It does not follow the
     attitude, as a lever arm would.
@@ -3135,7 +3211,9 @@ class AntennaOffset(Command[R]):
     Position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -3244,9 +3322,10 @@ class EstimationControl(Command[R]):
     Which states the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `EstimationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -3267,10 +3346,14 @@ class EstimationControl(Command[R]):
     flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
-    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
-      `EstimatedStates.GYRO_BIAS`.
-    - On the 3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
+    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15:
+      only `EstimatedStates.GYRO_BIAS`.
+    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
       `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
+    - On the 3DM-CV5-45: only `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
+      `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR`,
+      `EstimatedStates.ANTENNA_OFFSET`, `EstimatedStates.AUTO_HARD_IRON` and
+      `EstimatedStates.AUTO_SOFT_IRON`.
     - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
       `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
       `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
@@ -3355,7 +3438,9 @@ class GnssSource(Command[R]):
     Which GNSS receiver aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
+    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -3465,7 +3550,8 @@ class ExternalGnssUpdate(Command[None]):
 
     One measurement of position and velocity by a GNSS receiver of the user.
 
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -3598,7 +3684,10 @@ class ExternalHeadingUpdate(Command[None]):
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
@@ -3664,9 +3753,9 @@ class HeadingSource(Command[R]):
     Source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -3687,10 +3776,14 @@ class HeadingSource(Command[R]):
     source: HeadingUpdateSource | None
     """Source of the heading. Required for `write`.
 
-    - On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
+    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
       `HeadingUpdateSource.EXTERNAL`.
-    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only `HeadingUpdateSource.NONE`,
-      `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
+    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+      `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
+    - On the 3DM-CV5-45: only `HeadingUpdateSource.NONE`, `HeadingUpdateSource.MAG`,
+      `HeadingUpdateSource.GNSS_VELOCITY`, `HeadingUpdateSource.EXTERNAL`,
+      `HeadingUpdateSource.GNSS_VELOCITY_AND_MAG`, `HeadingUpdateSource.GNSS_VELOCITY_AND_EXTERNAL`,
+      `HeadingUpdateSource.MAG_AND_EXTERNAL` and `HeadingUpdateSource.ALL`.
     - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.MAG`, `HeadingUpdateSource.GNSS_VELOCITY` and
       `HeadingUpdateSource.EXTERNAL`.
@@ -3777,6 +3870,9 @@ class AutoInitializationControl(Command[R]):
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
 
     It needs a valid heading source.
 
@@ -3879,7 +3975,11 @@ class AccelNoise(Command[R]):
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -3986,7 +4086,11 @@ class GyroNoise(Command[R]):
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -4094,7 +4198,9 @@ class AccelBiasModel(Command[R]):
     Parameters of the model by which the accelerometer bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -4218,7 +4324,11 @@ class GyroBiasModel(Command[R]):
     Parameters of the model by which the gyroscope bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -4343,7 +4453,9 @@ class AutoZupt(Command[R]):
     Lets the filter assume that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4455,7 +4567,10 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
@@ -4543,6 +4658,10 @@ class AutoAngularZupt(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -4660,8 +4779,11 @@ class TareOrientation(Command[R]):
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
-    only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-GX5-15: `write`,
+    `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load` and `default`
+    only.
 
     Refused while the filter has no valid attitude.
 
@@ -4755,7 +4877,8 @@ class CommandedZupt(Command[None]):
 
     Tells the filter once that the device is at rest.
 
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4783,7 +4906,9 @@ class CommandedAngularZupt(Command[None]):
 
     Tells the filter once that the device is not rotating.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     At most 10 per second.
 
@@ -4825,7 +4950,9 @@ class ReferencePosition(Command[R]):
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ReferencePositionResponse`. Supported by 3DM-GX5-15.
+    `ReferencePositionResponse`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
+    and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -4979,6 +5106,7 @@ class MagCaptureAutoCalibration(Command[None]):
     Moves what the automatic magnetometer calibration has found into the fixed calibration.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
+    Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25.
     Known only from the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
@@ -5037,7 +5165,10 @@ class GravityNoise(Command[R]):
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
 
     The factory values suit most laboratory conditions.
 
@@ -5144,8 +5275,9 @@ class PressureAltitudeNoise(Command[R]):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
     changes of height.
@@ -5249,7 +5381,9 @@ class HardIronOffsetNoise(Command[R]):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -5355,7 +5489,9 @@ class SoftIronMatrixNoise(Command[R]):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -5461,7 +5597,8 @@ class EnableMeasurements(Command[R]):
     Which inertial measurements the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15.
+    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -5565,8 +5702,10 @@ class MagNoise(Command[R]):
     Standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
-    process noise, although the noise is that of a measurement.
+    Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the
+    noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -5670,7 +5809,10 @@ class MagneticDeclinationSource(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -5694,6 +5836,8 @@ class MagneticDeclinationSource(Command[R]):
     source: MagParameterSource | None
     """Source of the declination. Required for `write`.
 
+    - On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only `MagParameterSource.NONE`
+      and `MagParameterSource.MANUAL`.
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
     declination: float | None
@@ -5811,9 +5955,10 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
-    supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -6070,10 +6215,11 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. May be supported by
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector
-    may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on
+    write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     determines the limits. High limits suit high dynamics but do not reject disturbances of the
@@ -6336,8 +6482,9 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -6538,7 +6685,8 @@ class AltitudeAiding(Command[R]):
     What aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25,
+    3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -6642,7 +6790,9 @@ class PitchRollAiding(Command[R]):
     What aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Refused
+    by 3DM-CV7-AR.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -7227,8 +7377,9 @@ class AidingMeasurementEnable(Command[R]):
     Enables or disables one source of aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-AHRS and 3DM-CV7-AR.
+    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -7249,9 +7400,17 @@ class AidingMeasurementEnable(Command[R]):
     aiding_source: AidingSource | None
     """The source; `all` is for save, load and default.
 
-    - On the 3DM-CV7-AHRS: only `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and
+    - On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only `AidingSource.MAG`,
+      `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
+    - On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `AidingSource.EXTERNAL_HEADING` and
       `AidingSource.ALL`.
-    - On the 3DM-CV7-AR: only `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
+    - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `AidingSource.GNSS_POSITION_VELOCITY`,
+      `AidingSource.ALTIMETER`, `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING`,
+      `AidingSource.EXTERNAL_ALTIMETER`, `AidingSource.EXTERNAL_MAG`,
+      `AidingSource.BODY_FRAME_VELOCITY` and `AidingSource.ALL`.
+    - On the 3DM-GQ7-GNSS/INS: only `AidingSource.GNSS_POSITION_VELOCITY`,
+      `AidingSource.GNSS_HEADING`, `AidingSource.ALTIMETER`, `AidingSource.SPEED`,
+      `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
     """
     enable: bool | None
     """Whether the filter uses the source. Required for `write`."""
@@ -7523,8 +7682,8 @@ class InitializationConfig(Command[R]):
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS.
+    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -7576,7 +7735,13 @@ class InitializationConfig(Command[R]):
     initial_condition_source: InitialConditionSource | None
     """Which initial conditions are automatic and which the user provides. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None
-    """Methods by which the initial heading may be determined. Required for `write`."""
+    """Methods by which the initial heading may be determined. Required for `write`.
+
+    - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `HeadingAlignment.KINEMATIC`,
+      `HeadingAlignment.MAG` and `HeadingAlignment.EXTERNAL`.
+    - On the 3DM-GQ7-GNSS/INS: only `HeadingAlignment.DUAL_ANTENNA`, `HeadingAlignment.KINEMATIC`
+      and `HeadingAlignment.MAG`.
+    """
     initial_heading: float | None
     """Initial heading that the user provides. Unit: deg. Required for `write`."""
     initial_pitch: float | None
@@ -7807,7 +7972,9 @@ class AdaptiveFilterOptions(Command[R]):
     How the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
+    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -7828,7 +7995,7 @@ class AdaptiveFilterOptions(Command[R]):
     level: AdaptiveLevel | None
     """Strength of the adaptation. Default: 2. Required for `write`.
 
-    - On the 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
+    - On the 3DM-CV5-45 and 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
     """
     time_limit: int | None
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
@@ -7931,7 +8098,8 @@ class MultiAntennaOffset(Command[R]):
     Position of the antenna of one receiver on devices with several antennas.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -8064,7 +8232,8 @@ class RelativePositionConfig(Command[R]):
     Reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -8215,7 +8384,8 @@ class ReferencePointLeverArm(Command[R]):
     Moves the point to which the position and the velocity of the filter refer.
 
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
     It shifts `filter_data.LlhPosition`, `filter_data.NedVelocity`, `filter_data.EcefPosition`,
     `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`, depending on the attitude and,
@@ -8413,7 +8583,7 @@ class SpeedLeverArm(Command[R]):
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -8646,7 +8816,8 @@ class WheeledVehicleConstraintControl(Command[R]):
     Lets the filter assume that the vehicle moves only along its x axis.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
     use it for vehicles that move sideways, such as aircraft.

@@ -341,7 +341,10 @@ class LlhPosition(Data):
 
     Estimated position.
 
-    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
+    3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and
+    3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -410,7 +413,10 @@ class NedVelocity(Data):
 
     Estimated velocity.
 
-    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
+    3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and
+    3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -469,7 +475,11 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused
+    by 3DM-GX3-25.
 
     `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
 
@@ -520,7 +530,10 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -572,7 +585,11 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -633,7 +650,10 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -682,7 +702,8 @@ class AccelBias(Data):
 
     Estimated bias of the accelerometer.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -730,7 +751,9 @@ class LlhPositionUncertainty(Data):
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and
+    3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -794,7 +817,9 @@ class NedVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and
+    3DM-GX5-45. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -858,7 +883,11 @@ class EulerAnglesUncertainty(Data):
 
     Standard deviation of the estimated Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+    3DM-GX5-45. Refused by 3DM-GX3-25.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -922,7 +951,10 @@ class GyroBiasUncertainty(Data):
 
     Standard deviation of the estimated gyroscope bias.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -975,7 +1007,8 @@ class AccelBiasUncertainty(Data):
 
     Standard deviation of the estimated accelerometer bias.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
@@ -1027,7 +1060,10 @@ class LinearAccel(Data):
 
     Compensated acceleration minus the estimated gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1076,7 +1112,11 @@ class CompAngularRate(Data):
 
     Angular rate without the estimated bias.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1125,7 +1165,9 @@ class Wgs84GravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     The model is valid up to an altitude of 20 km.
 
@@ -1172,7 +1214,11 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused
+    by 3DM-GX3-25.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
     (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
@@ -1199,18 +1245,39 @@ class Status(Data):
     filter_state: int
     """State of the filter.
 
+    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
+      `Gx5FilterState`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all
+      generations up to the fifth.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
     - On the 3DM-GX5-15: values of `Gx5FilterState`.
     """
     dynamics_mode: int
     """Motion for which the filter is configured.
 
+    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
+      `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for
+      all generations up to the fifth.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
     - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
     """
     status_flags: int
     """Condition and warnings.
 
+    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+      3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
+      `Gx5StatusFlags`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all
+      generations up to the fifth.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
     - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
     """
@@ -1242,7 +1309,9 @@ class Timestamp(Data):
 
     GPS time of the filter data.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
@@ -1297,7 +1366,10 @@ class QuaternionAttitudeUncertainty(Data):
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1348,7 +1420,10 @@ class GravityVector(Data):
 
     Estimated gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1399,7 +1474,9 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-25, 3DM-GX4-45
+    and 3DM-GX5-25.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1482,7 +1559,9 @@ class MagneticModel(Data):
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     It is valid only with a valid GNSS position.
 
@@ -1907,7 +1986,10 @@ class CompAccel(Data):
 
     Acceleration without the estimated bias; it includes gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1964,7 +2046,8 @@ class StandardAtmosphere(Data):
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably supported by 3DM-CV5-45, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -2070,7 +2153,10 @@ class PressureAltitude(Data):
 
     Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
 
     It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
@@ -2166,8 +2252,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Also called `magnetometer_offset`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2217,8 +2303,8 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Also called `magnetometer_matrix`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2268,8 +2354,9 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Also called `magnetometer_offset_uncertainty`. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -2322,8 +2409,9 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Also called `magnetometer_matrix_uncertainty`. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -2723,7 +2811,7 @@ class MultiAntennaOffsetCorrection(Data):
 
     Estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS.
 
     The filter adds it to the stored offset.
 
@@ -2787,7 +2875,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -2852,7 +2940,8 @@ class EcefPositionUncertainty(Data):
 
     Standard deviation of the estimated position.
 
-    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2904,7 +2993,8 @@ class EcefVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -2956,7 +3046,8 @@ class EcefPosition(Data):
 
     Estimated position.
 
-    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -3006,7 +3097,8 @@ class EcefVelocity(Data):
 
     Estimated velocity.
 
-    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -3056,7 +3148,8 @@ class NedRelativePosition(Data):
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -3110,7 +3203,9 @@ class GnssPositionAidingStatus(Data):
 
     How the filter uses the position measurements of one GNSS receiver.
 
-    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and
+    3DM-GX5-25.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3298,7 +3393,8 @@ class AidingMeasurementSummary(Data):
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3364,7 +3460,7 @@ class OdometerScaleFactorError(Data):
 
     Estimated relative error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -3413,7 +3509,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
 
     Uncertainty of the estimated error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
@@ -3464,7 +3560,7 @@ class GnssDualAntennaStatus(Data):
 
     Heading that two GNSS antennas give.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3561,7 +3657,8 @@ class AidingFrameConfigError(Data):
 
     Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
+    3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -3626,7 +3723,7 @@ class AidingFrameConfigErrorUncertainty(Data):
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """

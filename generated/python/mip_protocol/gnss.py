@@ -178,7 +178,7 @@ _RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -228,7 +228,7 @@ class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
     Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -351,8 +351,8 @@ _RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known only from the
-    MicroStrain MIP SDK.
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Probably supported
+    by 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -531,7 +531,8 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
 
     Gets the GNSS receivers of the device.
 
-    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -574,7 +575,8 @@ class SignalConfig(Command[R]):
     GNSS signals that the device uses.
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
@@ -933,8 +935,8 @@ class RtkDongleConfig(Command[R]):
     Switches the communication with a connected RTK dongle on or off.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    `default`. Answered by `RtkDongleConfigResponse`. Probably supported by 3DM-GQ7-GNSS/INS.
+    Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """

@@ -726,8 +726,10 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. May be supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -856,8 +858,9 @@ class EcefPosition(Shared, Data):
     GNSS position in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS. May be
-    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -932,8 +935,10 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS. May be
-    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -1054,8 +1059,9 @@ class EcefVelocity(Shared, Data):
     GNSS velocity in Earth-fixed coordinates.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-35. May be supported by 3DM-CV7-INS and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35,
+    3DM-CX5-45 and 3DM-GX5-45.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -1124,8 +1130,8 @@ class Dop(Shared, Data):
     Dilution of precision of the satellite geometry.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
+    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1225,8 +1231,9 @@ class UtcTime(Shared, Data):
     Coordinated universal time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
+    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1331,8 +1338,9 @@ class GpsTime(Shared, Data):
     GPS time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-35
-    and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
@@ -1382,8 +1390,8 @@ class ClockInfo(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-GX5-35 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     Clock info 2 replaces it and gives more detail.
 
@@ -1447,8 +1455,9 @@ class FixInfo(Shared, Data):
     Type of the position fix and what it is based on.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. May be
-    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1525,9 +1534,9 @@ class SvInfo(Shared, Data):
     One satellite that is tracked.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
-    Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields
-    or several.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain:
+    Whether a packet holds one of these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1644,7 +1653,8 @@ class HardwareStatus(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. May be supported by 3DM-GX5-35.
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
+    3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1717,9 +1727,9 @@ class DgpsInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
-    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
-    which are the same in all sources.
+    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35 and
+    3DM-CX5-45. Uncertain: Whether any device sends `DgpsInfoSatellite`, the layout of the SDK,
+    instead. Only this one agrees with the valid flags, which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1919,8 +1929,9 @@ class DgpsChannel(Shared, Data):
     Differential correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
-    Known only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MIP SDK of 2014, MicroStrain
+    Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
@@ -2012,8 +2023,8 @@ class ClockInfo2(Shared, Data):
     Bias and drift of the receiver clock.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
+    supported by 3DM-GQ7-GNSS/INS.
 
     It supersedes clock info.
 
@@ -2108,8 +2119,8 @@ class GpsLeapSeconds(Shared, Data):
     Difference between GPS time and UTC.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
+    supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -2159,7 +2170,8 @@ class SbasInfo(Shared, Data):
     Status of the satellite based augmentation.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused
+    by 3DM-CV7-AHRS and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2443,8 +2455,8 @@ class RfErrorDetection(Shared, Data):
     Jamming and spoofing that the receiver detects in one band.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). May be supported by 3DM-CV7-INS. Known only from the
-    MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Refused by
+    3DM-CV7-AHRS and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
 
     Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
     there and leaves its flag clear.
@@ -2624,8 +2636,8 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
+    supported by 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2804,7 +2816,8 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -3066,7 +3079,7 @@ class BaseStationInfo(Shared, Data):
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - mip-sdk-4: Base Station Info (0x81,0x30)
     - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
@@ -3198,7 +3211,8 @@ class RtkCorrectionsStatus(Shared, Data):
     Which corrections are received, and how old they are.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused
+    by 3DM-GX5-25.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -3395,7 +3409,8 @@ class GpsEphemeris(Shared, Data):
     Broadcast orbit and clock of one GPS satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
@@ -3845,6 +3860,7 @@ class GlonassEphemeris(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-GQ7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; no source says how nt, a u8, counts them.
@@ -4221,7 +4237,8 @@ class GalileoEphemeris(Shared, Data):
     Broadcast orbit and clock of one Galileo satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -4680,7 +4697,8 @@ class BeidouEphemeris(Shared, Data):
     Broadcast orbit and clock of one BeiDou satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.

@@ -552,8 +552,11 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers `ImuMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -598,7 +601,8 @@ class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
     Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
+    and 3DM-GX4-45.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -647,7 +651,9 @@ class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
     Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
+    and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -693,8 +699,11 @@ _GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -734,8 +743,9 @@ class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
-    SDK.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -775,11 +785,12 @@ class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
     Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15,
-    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-    3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -798,10 +809,11 @@ class DataStreamControlResponse(Response):
     descriptor_set: int
     """Stream given in the command.
 
-    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-      3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
-      3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+    - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+      3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+      3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+      3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+      `LegacyDataStream`.
     - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
       `LegacyDataStream.FILTER`.
     """
@@ -841,8 +853,8 @@ _IMU_SIGNAL_CONDITIONING_RESPONSE_0 = codec.Block(
 class ImuSignalConditioningResponse(Response):
     """IMU signal conditioning response (0x0C,0x86).
 
-    Answers `ImuSignalConditioning`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library.
+    Answers `ImuSignalConditioning`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
+    3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
     - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -969,8 +981,10 @@ class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
     Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -1010,8 +1024,8 @@ _DATA_STREAM_FORMAT_RESPONSE_0 = codec.Block("BB", "stream", "format")
 class DataStreamFormatResponse(Response):
     """Data stream format response (0x0C,0x88).
 
-    Answers `DataStreamFormat`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
-    and MicroStrain Communication Library.
+    Answers `DataStreamFormat`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Data Stream Format (0x0C,0x60)
     - mscl: Data Stream Format (0x0C,0x60)
@@ -1055,8 +1069,8 @@ _DEVICE_POWER_STATE_RESPONSE_0 = codec.Block("BB", "device", "state")
 class DevicePowerStateResponse(Response):
     """Device power state response (0x0C,0x89).
 
-    Answers `DevicePowerState`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
-    and MicroStrain Communication Library.
+    Answers `DevicePowerState`. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known
+    only from the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Device Power State (0x0C,0x61)
     - mscl: Device Power State (0x0C,0x61)
@@ -1101,7 +1115,9 @@ class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
     Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -1143,8 +1159,12 @@ class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
     Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
+    3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -1212,7 +1232,8 @@ _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -1260,7 +1281,9 @@ _GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
 class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers `GetBaseRate`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -1303,7 +1326,9 @@ _MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptor
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -1358,9 +1383,10 @@ class DeviceStatusBasicResponse(Response):
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` by the size
     of its data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX4-45 and 3DM-GX5-25.
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45 and
+    3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1430,7 +1456,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     Timer only.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` by the size of its data.
-    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. May be supported by 3DM-CV5-10,
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Probably supported by 3DM-CV5-10,
     3DM-CX5-10, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 gives
     it too, but for the model number of another device; MSCL has the layout with a state for that
@@ -1517,8 +1543,8 @@ class DeviceStatusDiagnosticResponse(Response):
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
-    May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25 and
-    3DM-GX5-25.
+    Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1735,7 +1761,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35
-    and 3DM-GX5-45. May be supported by 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has
+    and 3DM-GX5-45. Probably supported by 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has
     it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
     Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
     assumed to be in ms like the system timer.
@@ -2664,7 +2690,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticImuResponse` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. May be supported by
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by
     3DM-GX4-15 and 3DM-GX4-25. Uncertain: No known manual gives it for these devices; the offsets 49
     to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the
     descriptions follow from the names, and the times are assumed to be in ms like the system timer.
@@ -2925,7 +2951,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticGx4Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. May be supported by
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Probably supported by
     3DM-CV5-10, 3DM-CX5-10 and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
     3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
     follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
@@ -3160,7 +3186,7 @@ _GPS_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class GpsDynamicsModeResponse(Response):
     """GPS dynamics mode response (0x0C,0x92).
 
-    Answers `GpsDynamicsMode`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
+    Answers `GpsDynamicsMode`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
     and MicroStrain Communication Library.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
@@ -3201,7 +3227,8 @@ _IMU_TIMESTAMP_RESPONSE_0 = codec.Block("BI", "selector", "time")
 class ImuTimestampResponse(Response):
     """IMU timestamp response (0x0C,0x93).
 
-    Answers `ImuTimestamp`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014.
+    Answers `ImuTimestamp`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45.
+    Known only from the MIP SDK of 2014.
 
     - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
     """
@@ -3251,8 +3278,11 @@ class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
     Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-GX5-10 and 3DM-GX5-45.
+    3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -3333,7 +3363,11 @@ class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
     Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3378,7 +3412,11 @@ class GyroBiasResponse(Response):
 
     Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and
+    3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3420,7 +3458,10 @@ class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
     Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3462,7 +3503,10 @@ class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
     Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -3506,7 +3550,9 @@ class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
     Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -3549,8 +3595,8 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
-    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
-    3DM-GX5-45.
+    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -3615,8 +3661,8 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
-    supported by 3DM-GX5-45.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
+    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -3676,8 +3722,8 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3720,8 +3766,8 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
-    only from the MicroStrain MIP SDK.
+    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -3769,7 +3815,8 @@ class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
     Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
-    May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
+    Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -3809,7 +3856,9 @@ class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -3857,7 +3906,9 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
     Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -3902,7 +3953,9 @@ class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
     Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -3944,7 +3997,9 @@ _GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "nu
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -4005,7 +4060,9 @@ _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -4048,7 +4105,9 @@ _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -4094,7 +4153,9 @@ _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -4138,8 +4199,9 @@ _EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
 class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -4226,7 +4288,9 @@ _EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "typ
 class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     - 3dm-cv7-gnss-ins: Event Cycle
@@ -4302,8 +4366,9 @@ _GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -4369,7 +4434,9 @@ _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -4413,6 +4480,7 @@ class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
     Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -4461,7 +4529,9 @@ _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -4505,7 +4575,8 @@ class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
     Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
-    by 3DM-CV7-GNSS/INS.
+    by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -4563,8 +4634,9 @@ _LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
 class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-GNSS/INS.
-    May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -4637,8 +4709,10 @@ class PollImuData(Command[None]):
     Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-GX5-45.
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
+    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device refuses the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -4699,8 +4773,9 @@ class PollGnssData(Command[None]):
     Requests one GNSS data packet with the listed fields, in the listed order.
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
-    only from the MicroStrain MIP SDK.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45 and 3DM-GX5-35. Known only from the
+    MicroStrain MIP SDK.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     refuses the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -4764,7 +4839,9 @@ class PollFilterData(Command[None]):
     Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device refuses
     the command. Descriptors that the device does not know are ignored. The data is sent in a
@@ -4825,7 +4902,8 @@ class PollNmeaData(Command[None]):
     Requests the listed NMEA sentences once.
 
     Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
+    3DM-GV7-INS.
 
     An empty list polls the stored NMEA format; if none is stored, the device refuses the command.
     The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA
@@ -4884,8 +4962,11 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 
     Gets the rate that is divided by the decimations of `ImuMessageFormat`.
 
-    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -4913,7 +4994,8 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     Gets the rate that is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45 and 3DM-GX4-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
@@ -4947,8 +5029,11 @@ class ImuMessageFormat(Command[R]):
     Fields of the sensor data packets (0x80), in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    `ImuMessageFormatResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10 and 3DM-GX5-25.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device refuses the command
@@ -5063,7 +5148,8 @@ class GnssMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
+    and 3DM-GX4-45.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -5177,7 +5263,9 @@ class FilterMessageFormat(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45
+    and 3DM-GX5-25.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device refuses the command
@@ -5288,7 +5376,9 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     Gets the rate that is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -5321,7 +5411,8 @@ class NmeaMessageFormat(Command[R]):
     NMEA sentences that the device streams.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
@@ -5435,7 +5526,9 @@ class PollData(Command[None]):
 
     Requests one data packet of the descriptor set with the listed fields, in the listed order.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     An empty list polls what `MessageFormat` stores; if nothing is stored, the device refuses the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
@@ -5503,7 +5596,9 @@ class GetBaseRate(Command[GetBaseRateResponse]):
 
     Gets the rate that is divided by the decimations of a descriptor set.
 
-    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -5549,7 +5644,9 @@ class MessageFormat(Command[R]):
     Fields of the data packets of a descriptor set, in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
     shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
@@ -5679,7 +5776,9 @@ class FactoryStreaming(Command[None]):
 
     Sets all message formats to those that technical support needs in a recording.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -5729,10 +5828,12 @@ class DataStreamControl(Command[R]):
 
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
     devices by its descriptor set.
@@ -5757,10 +5858,11 @@ class DataStreamControl(Command[R]):
     descriptor_set: int | None
     """Data descriptor set; 0 means all streams (save, load, default).
 
-    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-      3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
-      3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+    - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+      3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+      3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+      3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+      `LegacyDataStream`.
     - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
       `LegacyDataStream.FILTER`.
     """
@@ -5909,9 +6011,9 @@ class ConstellationSettings(Command[R]):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
-    3DM-GX5-45. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but
-    gives channels for SBAS and QZSS too.
+    `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default. The SDK names
+    only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
 
     The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
     must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used
@@ -6054,8 +6156,9 @@ class GnssSbasSettings(Command[R]):
     How the GNSS receivers use satellite based augmentation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
-    supported by 3DM-GX5-45.
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
+    supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Refused by
+    3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -6210,8 +6313,8 @@ class GnssAssistedFix(Command[R]):
     power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
+    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
@@ -6344,7 +6447,8 @@ class GnssTimeAssistance(Command[R]):
     Gives the GNSS receiver the current GPS time.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    3DM-GX5-35. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only
+    from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -6462,8 +6566,9 @@ class PpsSourceControl(Command[R]):
     Where the device takes its pulse per second from.
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
-    3DM-CV7-AR.
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
     and `generated` are rarely useful.
@@ -6487,9 +6592,12 @@ class PpsSourceControl(Command[R]):
     source: PpsSource | None
     """Source of the pulse. Required for `write`.
 
-    - On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
       `PpsSource.GENERATED`.
     - On the 3DM-CV7-GNSS/INS: default `PpsSource.RECEIVER_1`.
+    - On the 3DM-GQ7-GNSS/INS: only `PpsSource.DISABLED`, `PpsSource.RECEIVER_1`,
+      `PpsSource.RECEIVER_2`, `PpsSource.GPIO` and `PpsSource.GENERATED`.
     """
 
     def __init__(self, function: FunctionSelector, source: PpsSource | None = None) -> None:
@@ -6565,7 +6673,9 @@ class GetEventSupport(Command[GetEventSupportResponse]):
 
     Gets the types of event triggers or actions that the device has, and how many of each.
 
-    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -6611,7 +6721,9 @@ class EventControl(Command[R]):
     Enables, disables or tests an event trigger.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     Triggers are disabled by default and after configuration. A trigger of type none cannot be
     enabled.
@@ -6727,7 +6839,9 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
 
     Gets the type and the state of event triggers.
 
-    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
+    by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -6780,7 +6894,9 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
 
     Gets the type and the trigger of event actions.
 
-    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -6841,7 +6957,9 @@ class EventTriggerConfig(Command[R]):
     Kind and condition of an event trigger.
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
     configured by `GpioConfig`.
@@ -7020,7 +7138,9 @@ class EventActionConfig(Command[R]):
     Trigger and effect of an event action.
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
@@ -7194,7 +7314,11 @@ class DeviceSettings(Command[None]):
 
     Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25 and 3DM-RTK.
 
     A save may disturb the data output for a short time. A save may take up to 1 s. A host should
     wait longer, because the answer must come through, too.
@@ -7265,7 +7389,8 @@ class SensorToVehicleTransformEuler(Command[R]):
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS.
+    and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
     transformation; the value read back may be another form of it. Starting in line with the vehicle
@@ -7411,7 +7536,8 @@ class SensorToVehicleTransformQuaternion(Command[R]):
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
     and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
@@ -7532,6 +7658,8 @@ class SensorToVehicleTransformDcm(Command[R]):
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
@@ -7647,7 +7775,7 @@ class GpsDynamicsMode(Command[R]):
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
-    May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
+    Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
     Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
     for the 3DM-GX3-35 only.
 
@@ -7763,11 +7891,12 @@ class ImuSignalConditioning(Command[R]):
     Configures the filters and the orientation algorithm of 3-series devices.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
-    flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
-    Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+    `ImuSignalConditioningResponse`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
+    3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    Uncertain: The ranges, the defaults, and some of the flags. They are those of the single-byte
+    protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have it. The SDK of
+    2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every device sends
+    `reserved` in the response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -8024,10 +8153,10 @@ class ImuTimestamp(Command[R]):
 
     Sets or reads a counter of the time of the sensor data.
 
-    Functions: `write` and `read`. Answered by `ImuTimestampResponse`. May be supported by
-    3DM-GX3-35. Known only from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of
-    2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and
-    ignores it, or leaves it out, as is assumed.
+    Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Probably supported by
+    3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP SDK of 2014.
+    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
 
     - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
     """
@@ -8131,8 +8260,12 @@ class AccelBias(Command[R]):
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
-    `write`, `read`, `save`, `load` and `default` only.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write`, `read`,
+    `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -8249,10 +8382,13 @@ class GyroBias(Command[R]):
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `GyroBiasResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
-    the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
-    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`,
-    `save`, `load` and `default` only.
+    3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
+    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -8363,7 +8499,10 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -8415,10 +8554,12 @@ class MagHardIronOffset(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagHardIronOffsetResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
+    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -8541,10 +8682,12 @@ class MagSoftIronMatrix(Command[R]):
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
     `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
+    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -8665,7 +8808,9 @@ class ConingScullingEnable(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConingScullingEnableResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -8765,7 +8910,9 @@ class UartBaudRate(Command[R]):
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-35.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and
@@ -8879,8 +9026,9 @@ class GpioConfig(Command[R]):
     What a GPIO pin is used for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
-    Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    3DM-GQ7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS. Refused by 3DM-GX5-25.
 
     Not every pin has every feature. For an output with another feature than gpio, set up what
     drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
@@ -9042,7 +9190,9 @@ class GpioState(Command[R]):
 
     Sets or reads the state of a GPIO pin.
 
-    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
@@ -9149,7 +9299,8 @@ class OdometerConfig(Command[R]):
     Input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -9291,12 +9442,16 @@ class ImuLowPassFilter(Command[R]):
     Low-pass filter of one quantity of the sensor data.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
-    `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated
-    on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
-    `LowPassFilter` instead.
+    and `default`. Answered by `ImuLowPassFilterResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the
+    3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
+    instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the
+    3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the
+    3DM-CV7-AR: firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -9490,8 +9645,11 @@ class ComplementaryFilter(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-GX5-10 and 3DM-GX5-45.
+    3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25 and 3DM-GX5-45.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device refuses time constants
@@ -9535,8 +9693,8 @@ class ComplementaryFilter(Command[R]):
     heading_enable: bool | None
     """Corrects the heading (north, in terms of the 5-series). Required for `write`.
 
-    - On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does
-      not offer it.
+    - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
+      MSCL does not offer it.
     - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None
@@ -9682,7 +9840,9 @@ class SensorRange(Command[R]):
     Measuring range of a sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     `GetCalibratedSensorRanges` lists the settings. The device may refuse other settings, or measure
     incorrectly with them.
@@ -9801,7 +9961,9 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     Gets the ranges that a sensor supports.
 
     Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -9856,8 +10018,10 @@ class LowPassFilter(Command[R]):
     Low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    by `LowPassFilterResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the
+    3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.
@@ -10057,9 +10221,9 @@ class DataStreamFormat(Command[R]):
     Selects MIP data or the raw data of a sensor for a stream.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DataStreamFormatResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
-    and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
-    2014 restricts it to the 3DM-GX3-35.
+    `DataStreamFormatResponse`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
+    2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
+    SDK of 2014 restricts it to the 3DM-GX3-35.
 
     Both parameters are sent with every function. In the wrapped format, packets of the sensor
     arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea`
@@ -10189,10 +10353,11 @@ class DevicePowerState(Command[R]):
     Sets the power state of an internal sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DevicePowerStateResponse`. The device may take 5 s to answer. May be supported by 3DM-GX3-35.
-    Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
-    devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
-    Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    `DevicePowerStateResponse`. The device may take 5 s to answer. Probably supported by 3DM-GX3-15,
+    3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication
+    Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and
+    the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is
+    assumed.
 
     - mip-sdk-2014: Device Power State (0x0C,0x61)
     - mscl: Device Power State (0x0C,0x61)
@@ -10311,9 +10476,9 @@ class GpsAdvancedSettings(Command[None]):
 
     Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
 
-    For advanced use. Functions: `save`, `load` and `default`. May be supported by 3DM-GX3-35. Known
-    only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
-    have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+    For advanced use. Functions: `save`, `load` and `default`. Probably supported by 3DM-GX3-35.
+    Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
+    devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
 
     In direct mode, your program configures the u-blox receiver with its own protocol; see
     `system.CommMode`.
@@ -10389,9 +10554,10 @@ class DeviceStatus(
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` or
     `DeviceStatusDiagnosticImuResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
 
     The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
     answer in different layouts. The selector and the length distinguish them.

@@ -77,7 +77,8 @@ _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
+    Answers `GetStatusFlags`. Probably supported by 3DM-RTK. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -302,8 +303,8 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Also called `get_act_code_response`. Answers `GetActivationCode`. Known only from the
-    MicroStrain MIP SDK.
+    Also called `get_act_code_response`. Answers `GetActivationCode`. Probably supported by 3DM-RTK.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -438,7 +439,7 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     Gets the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`. Not listed in any device profile. Known only from the
+    Answered by `GetStatusFlagsResponse`. Probably supported by 3DM-RTK. Known only from the
     MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
@@ -684,8 +685,8 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 
     Gets the activation code.
 
-    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Not listed in any device
-    profile. Known only from the MicroStrain MIP SDK.
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Probably supported by
+    3DM-RTK. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """

@@ -57,7 +57,8 @@ class RawAccel(Data):
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    Refused by 3DM-CV5-10, 3DM-GX5-15 and 3DM-GX5-45. Not listed in any device profile. Known only
+    from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Accel (0x80,0x01)
     - mip-sdk-2014: Raw Accel (0x80,0x01)
@@ -100,7 +101,8 @@ class RawGyro(Data):
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
-    Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    Refused by 3DM-GX5-15. Not listed in any device profile. Known only from the MIP SDK of 2014 and
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Gyro (0x80,0x02)
     - mip-sdk-2014: Raw Gyro (0x80,0x02)
@@ -189,7 +191,12 @@ class ScaledAccel(Data):
 
     Measured acceleration, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -232,7 +239,12 @@ class ScaledGyro(Data):
 
     Measured angular rate, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -275,7 +287,11 @@ class ScaledMag(Data):
 
     Measured magnetic field, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -317,7 +333,11 @@ class DeltaTheta(Data):
 
     Time integral of the angular rate over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported
+    by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -360,7 +380,11 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
 
@@ -405,7 +429,11 @@ class CompOrientationMatrix(Data):
 
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -455,7 +483,11 @@ class CompQuaternion(Data):
 
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -550,7 +582,11 @@ class CompEulerAngles(Data):
 
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -809,7 +845,9 @@ class NorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
     sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
@@ -855,7 +893,9 @@ class UpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Supported by 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
     a sensor-to-vehicle transformation changes.
@@ -902,7 +942,10 @@ class GpsTimestamp(Data):
 
     GPS time of the sensor data.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported
+    by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
     of the time of week is the time since the last pulse. Without external synchronization it is the
@@ -978,7 +1021,9 @@ class TemperatureStatistics(Data):
 
     Temperatures since the last power-on or reset.
 
-    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The values come from the inertial sensors, alone or together with sensors on the board.
 
@@ -1078,7 +1123,11 @@ class ScaledPressure(Data):
 
     Measured ambient pressure, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-35. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1120,7 +1169,9 @@ class OverrangeStatus(Data):
 
     Which sensor axes are near or outside their range.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Refused by 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -1161,7 +1212,7 @@ class Odometer(Data):
 
     Speed measured by the wheel encoder.
 
-    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """

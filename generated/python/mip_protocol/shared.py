@@ -51,7 +51,9 @@ class EventSource(Shared, Data):
 
     The event trigger that caused the packet.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
@@ -183,7 +185,8 @@ class GpsTimestamp(Shared, Data):
 
     External time of the data as GPS time of week and week number.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
+    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -246,7 +249,9 @@ class DeltaTime(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
     both share, so use only one of them.
@@ -290,7 +295,9 @@ class ReferenceTimestamp(Shared, Data):
 
     Time of the data by the internal reference clock.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
     event messages it is the time of the trigger.
@@ -334,7 +341,9 @@ class ReferenceTimeDelta(Shared, Data):
 
     Reference time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     The value is always valid.
 
@@ -377,7 +386,9 @@ class ExternalTimestamp(Shared, Data):
 
     Time of the data in the external clock domain.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is that of the time
@@ -432,7 +443,9 @@ class ExternalTimeDelta(Shared, Data):
 
     External time since this field was last sent in the same set and event instance.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
     share, so use only one of them.

@@ -54,7 +54,7 @@ _INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
 class InterfaceControlResponse(Response):
     """Interface control response (0x7F,0x82).
 
-    Answers `InterfaceControl`. May be supported by 3DM-CV7-GNSS/INS.
+    Answers `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -113,7 +113,10 @@ _COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RTK.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -163,7 +166,7 @@ class InterfaceControl(Command[R]):
     Protocols that a port receives and sends.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InterfaceControlResponse`. May be supported by 3DM-CV7-GNSS/INS.
+    `InterfaceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The change
     comes before the acknowledge, which is sent on the main port; bytes that arrive during the
@@ -316,7 +319,10 @@ class CommMode(Command[R]):
     Switches the port between the device and one of its internal sensors.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RTK.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
     command and `mip_3dm.DeviceStatus` of the device itself are answered.

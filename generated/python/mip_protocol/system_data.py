@@ -36,7 +36,9 @@ class BuiltInTest(Data):
 
     Flags of the tests that run all the time.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     The field is long; stream it at a low rate or poll it. A fault is reported even if it has passed
     by the time of the next message, because its flag remains until it is sent. Each stream and each
@@ -60,6 +62,9 @@ class BuiltInTest(Data):
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
 
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
+      `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
@@ -86,7 +91,9 @@ class TimeSyncStatus(Data):
 
     Whether the device time is locked to the pulse per second.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -131,7 +138,9 @@ class GpioState(Data):
 
     Levels of all user GPIO pins.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that

@@ -202,11 +202,12 @@ def _spec(command: argparse.ArgumentParser) -> None:
 def _part(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
-        ("device", "ID", "what this device supports"),
+        ("device", "ID", "what this device supports, for certain or probably"),
         ("set", "SET", "this descriptor set, by its name or its number: sensor, 0x80"),
         ("field", "NAME", "this field, such as 3dm.message_format"),
     ):
         group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
+    group.add_argument("--certain", action="store_true", help="of the devices only what they support for certain")
 
 
 def _out(command: argparse.ArgumentParser) -> None:

@@ -95,9 +95,11 @@ def _given(options: Namespace) -> str:
     """The options of a run, for a command that does the same."""
     given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
+    given += [("--certain", [""] if getattr(options, "certain", False) else [])]
     given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
     given += [("--plugin", options.plugins)]
-    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values)
+    said = (f" {option} {shlex.quote(str(value)) if value != '' else ''}" for option, values in given for value in values)
+    return "".join(said).rstrip()
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
@@ -112,7 +114,7 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
 
 def _part(options: Namespace) -> str:
     """Which part of the specification is selected."""
-    return repr([getattr(options, name, ()) for name in PARTS])
+    return repr([getattr(options, name, ()) for name in (*PARTS, "certain")])
 
 
 def _apart(options: Namespace, sources: list[Source]) -> None:
@@ -172,15 +174,18 @@ def _specs(options: Namespace) -> list[Path]:
 
 def _load(options: Namespace) -> tuple[Model, str]:
     """The specification, or the selected part of it, and a summary."""
+    from mipgen.facts import describe
     from mipgen.resolve import subset
     from mipgen.resolve.load import load_model
 
     whole = load_model(*_specs(options))
-    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
+    certain = getattr(options, "certain", False)
+    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS), certain=certain)
     if not asked:
         return whole, _summary(whole)
     part = subset.select(whole, asked)
-    return part, f"{subset.left_out(whole, part)}\n{_summary(part)}"
+    devices = [describe.known(d) for d in whole.devices if d.id in asked.devices]
+    return part, "\n".join([*devices, subset.left_out(whole, part), _summary(part)])
 
 
 def _summary(model: Model) -> str:

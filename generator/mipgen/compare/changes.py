@@ -489,7 +489,7 @@ def _profiles(old: m.Device, new: m.Device) -> list[str]:
 
 
 def _profile(d: m.Device) -> dict[str, object]:
-    supports = tuple((s.set, s.field.descriptor, m.letters(s.functions), s.evidence, s.deprecated) for s in d.supports)
+    supports = tuple((s.set, s.field.descriptor, m.letters(s.functions), s.evidence.kind, s.deprecated) for s in d.supports)
     return {
         "identity": (d.title, d.description, d.also, d.model_number, d.generation, d.manual),
         "fields": supports,

@@ -10,7 +10,7 @@ from mipgen import model as m
 from mipgen.base.reads import Memo
 
 from . import fields, parameters
-from .devices import device, lengths
+from .devices import device, evidence, known, lengths, why
 from .fields import condition, conditions
 from .measures import default, limits
 from .parameters import case
@@ -32,8 +32,10 @@ __all__ = [
     "default",
     "device",
     "difference",
+    "evidence",
     "field",
     "joined",
+    "known",
     "lengths",
     "limits",
     "measured",
@@ -49,6 +51,7 @@ __all__ = [
     "usual",
     "value",
     "variants",
+    "why",
 ]
 
 

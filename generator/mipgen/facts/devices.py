@@ -1,4 +1,4 @@
-"""What is said about devices, and about the manuals that describe them."""
+"""What is said about devices, why they are believed to have what they have, and about the manuals that describe them."""
 
 from __future__ import annotations
 
@@ -6,8 +6,19 @@ from mipgen import model as m
 from mipgen.lower.lengths import computed_length
 
 from .remarks import uncertain
-from .texts import Fact, Text, device_ref, fact, joined, prose
+from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
+#: Kind of evidence -> what it says; for those that are about other devices, what follows is the devices.
+_KINDS = {
+    "documented": "Its manual has it",
+    "listed": "The device lists it",
+    "transcribed": "A list by others after its manual has it",
+    "example": "An example of the vendor for it uses it",
+    "software": "Software for it uses it",
+    "family": "Devices of its generation have it",
+    "sister": "A nearly equal device has it",
+    "refused": "The device refuses it",
+}
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
     """The facts about a device besides its description, its fields, and what differs there."""
@@ -28,6 +39,31 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
         fact("incomplete", prose(text.rstrip("."), model), "This profile is incomplete: {}.") for text in d.incomplete
     ]
     return facts + uncertain(d, model)
+
+
+def evidence(e: m.Evidence, model: m.Model) -> Text:
+    """Why a device is believed to have a field, or not to have it: its kind, who says so, and where."""
+    known = {x.id: x.title for x in model.protocol.manuals}
+    found = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
+    of: Text = (", ", *joined(found)) if found else ()
+    asked = [f"firmware {e.firmware}"] if e.firmware else []
+    asked += [e.date] if e.date else []
+    cited = [f"{known.get(s.manual, s.manual)}: {s.section}" for s in e.sources]
+    where = f" ({'; '.join(asked + cited)})" if asked or cited else ""
+    note: Text = (" ", *prose(e.note, model)) if e.note else ()
+    return (_KINDS[e.kind], *of, f"{where}.", *note)
+
+
+def why(e: m.Evidence, model: m.Model) -> str:
+    """The same as plain text."""
+    return say(evidence(e, model), lambda ref: ref.words)
+
+
+def known(d: m.Device) -> str:
+    """How much is known of what a device has, in a line: "3dm-gq7: 69 certain, 101 probable; no manual is whole"."""
+    counts = [(len(d.certain), "certain"), (len(d.probable), "probable"), (len(d.refuses), "refused")]
+    said = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
+    return f"{d.id}: {said}{'; there may be more' if d.incomplete else ''}"
 
 
 def lengths(manual: m.Manual, model: m.Model) -> Text:

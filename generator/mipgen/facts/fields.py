@@ -73,10 +73,14 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
     if certain:
         yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
     if perhaps:
-        yield fact("perhaps", joined([(device_ref(d),) for d in perhaps]), "May be supported by {}.")
+        yield fact("perhaps", joined([(device_ref(d),) for d in perhaps]), "Probably supported by {}.")
+    refusing = model.refusing(f)
+    if refusing:
+        yield fact("refused", joined([(device_ref(d),) for d in refusing]), "Refused by {}.")
     if model.devices and f.role != m.RESPONSE and not certain and not perhaps:
         yield fact("devices", (), "Not listed in any device profile.")
     yield from (_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated)
+    yield from (_firmware(d, s.firmware) for d, s in model.supports(f) if s.firmware)
     yield from (_support(d, s) for d, s in model.supports(f) if s.differs)
 
 
@@ -91,6 +95,10 @@ def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
 def _support(d: m.Device, s: m.Support) -> Fact:
     taken = functions(s.functions)
     return Fact("support", taken, ("On the ", device_ref(d), ": ", *taken, " only."))
+
+
+def _firmware(d: m.Device, versions: str) -> Fact:
+    return Fact("firmware", (versions,), ("On the ", device_ref(d), f": firmware {versions}."))
 
 
 def _deprecation(d: m.Device, instead: str, model: m.Model) -> Fact:

@@ -55,6 +55,8 @@ def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -
         said = (Ref(p, p.name, within), " has " if parts else ": ", *said)
     if v.description:
         said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
+    if v.inferred:
+        said = (*said, ". Inferred: ", *prose(v.inferred.rstrip("."), model))
     return said
 
 

@@ -21,7 +21,7 @@ from . import (
     simulation,
     types,
 )
-from .devices import Device, DeviceVariant, Limit, Note, Port, Rate, Support
+from .devices import EVIDENCE, Answer, Device, DeviceVariant, Evidence, Limit, Note, Port, Rate, Support
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
     COMMAND,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from mipgen.read.position import Position
 
@@ -11,13 +12,29 @@ from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
 
+#: Does a device have a field? What no source says anything of is unknown.
+Answer = Literal["yes", "probable", "no", "unknown"]
+
+#: The kinds of evidence, strongest first, and what each says of the fields that it names.
+EVIDENCE: dict[str, Answer] = {
+    "documented": "yes",  # in the manual of the device
+    "listed": "yes",  # by the device itself
+    "transcribed": "probable",  # by others, after its manual
+    "example": "probable",  # of the vendor, for this very device
+    "software": "probable",  # that uses the device
+    "family": "probable",  # of devices of the same generation
+    "sister": "probable",  # a nearly equal device
+    "refused": "no",  # by the device itself
+}
+
 
 @dataclass(frozen=True, slots=True)
 class Port:
     name: str
     id: int | None
     baud_rates: Detail[tuple[int, ...]]
-    protocols: Detail[tuple[str, ...]]
+    receives: Detail[tuple[str, ...]]  # protocols
+    sends: Detail[tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +43,7 @@ class Limit:
     value: Detail[float | int]
     unit: Detail[str | None]
     description: Prose
+    firmware: Detail[str | None] = None  # ">= 1.0.04": the versions that have it; None if all have
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,19 +57,41 @@ class Note:
 
 
 @dataclass(frozen=True, slots=True)
+class Evidence:
+    """Why a device is believed to have some fields, or not to have them."""
+
+    kind: str  # a key of EVIDENCE
+    sources: tuple[Source, ...] = ()  # none: the manual of the device
+    of: tuple[str, ...] = ()  # the devices from which it is concluded
+    firmware: Detail[str | None] = None  # of the device that was asked
+    date: Detail[str | None] = None  # when it was
+    note: Prose = ""
+    undefined: Detail[tuple[tuple[int, int], ...]] = ()  # set and descriptor of what it has besides, without a layout
+
+    @property
+    def answer(self) -> Answer:
+        return EVIDENCE[self.kind]
+
+
+@dataclass(frozen=True, slots=True)
 class Support:
-    """A command or data field that a device supports in one descriptor set, and the functions that it takes there."""
+    """A command or data field in one descriptor set that a device has, or has not, and the functions that it takes."""
 
     field: Field
     set: int
     functions: tuple[Function, ...]
-    evidence: Prose | None = None  # why the device is believed to support it; None if that is certain
+    evidence: Evidence
+    firmware: Detail[str | None] = None  # "> 1.0.07": the versions that have it; None if all have, or it is not known
     deprecated: Prose | None = None  # what to use instead on the device
 
     @property
     def name(self) -> str:
         """The full name of the field in that set."""
         return self.field.name_in(self.set)
+
+    @property
+    def certain(self) -> bool:
+        return self.evidence.answer == "yes"
 
     @property
     def differs(self) -> bool:
@@ -98,7 +138,9 @@ class Device:
     manual: Detail[str | None] = None
     sources: tuple[Source, ...] = ()
     like: str | None = None  # the device that it is like
-    supports: tuple[Support, ...] = ()  # by set and descriptor, those that are not certain included
+    evidence: tuple[Evidence, ...] = ()  # strongest first
+    supports: tuple[Support, ...] = ()  # by set and descriptor, what it has for certain or probably
+    refuses: tuple[Support, ...] = ()  # what it does not have
     base_rates: tuple[Rate, ...] = ()
     ports: tuple[Port, ...] = ()
     limits: tuple[Limit, ...] = ()
@@ -112,4 +154,14 @@ class Device:
     @property
     def certain(self) -> tuple[Support, ...]:
         """What it supports without a doubt."""
-        return tuple(s for s in self.supports if s.evidence is None)
+        return tuple(s for s in self.supports if s.certain)
+
+    @property
+    def probable(self) -> tuple[Support, ...]:
+        """What it probably supports."""
+        return tuple(s for s in self.supports if not s.certain)
+
+    @property
+    def absent(self) -> Answer:
+        """What is said of a field that no evidence names: of a whole profile, that the device does not have it."""
+        return "unknown" if self.incomplete else "no"

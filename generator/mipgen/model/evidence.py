@@ -74,4 +74,5 @@ class Manual:
     document: Prose
     lengths: Literal["wire", "scalars", "none"]  # how it counts field lengths
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
-    kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers
+    #: sdk: source code of the vendor, not a text for readers; software: programs that use devices.
+    kind: Literal["manual", "sdk", "software"] = "manual"

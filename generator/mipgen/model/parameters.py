@@ -73,6 +73,7 @@ class Variant:
     deprecated: bool | None = None
     unknown: bool = False  # nobody knows what its values are
     description: Prose = ""
+    inferred: Prose = ""  # what it is concluded from, if no source says so of the device
 
     @property
     def by_device(self) -> bool:

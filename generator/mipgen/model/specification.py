@@ -136,6 +136,11 @@ class Model:
         found = self._supports.get(f.full_name, ())
         return found if number is None else tuple((d, s) for d, s in found if s.set == number)
 
+    def refusing(self, f: Field) -> tuple[Device, ...]:
+        """The devices that are known not to have a command or data field, in some set."""
+        ids = self._refusing.get(f.full_name, ())
+        return tuple(d for d in self.devices if d.id in ids)
+
     def devices_of(self, f: Field, certain: bool = True, number: int | None = None) -> tuple[Device, ...]:
         """The devices that support a field, or may support it, in one set or in any; a response if they answer a
         command with it."""
@@ -144,7 +149,7 @@ class Model:
             found = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
         else:
             found = list(self.supports(f, number))
-        known = {d.id for d, s in found if s.evidence is None}
+        known = {d.id for d, s in found if s.certain}
         names = known if certain else {d.id for d, _ in found} - known
         return tuple(d for d in self.devices if d.id in names)
 
@@ -195,6 +200,10 @@ class Model:
     @kept
     def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
         return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
+
+    @kept
+    def _refusing(self) -> dict[str, tuple[str, ...]]:
+        return _grouped((s.field.full_name, d.id) for d in self.devices for s in d.refuses)
 
 
 def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:

@@ -18,8 +18,8 @@ EXTENSIONS = {
     "device_extension": (
         "device",
         "device",
-        ("also", "sources", "supports", "may_support", "functions", "deprecated", "base_rates", "ports", "limits",
-         "notes", "varies", "incomplete", "uncertain"),
+        ("also", "sources", "supports", "evidence", "functions", "deprecated", "firmware", "base_rates", "ports",
+         "limits", "notes", "varies", "incomplete", "uncertain"),
     ),
 }  # fmt: skip
 

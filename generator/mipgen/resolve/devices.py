@@ -45,6 +45,10 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
                 problems.add(f.position, f"the device '{name}' does not send '{f.full_name}': {remedy}")
 
 
+def _strength(kind: str) -> int:
+    return list(m.EVIDENCE).index(kind)
+
+
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
     seen: set[object] = set()
     for entry in entries:
@@ -126,7 +130,8 @@ class _Device:
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
-        supports = self.supports()
+        known = self.known()
+        supports = tuple(s for s in known if s.evidence.answer != "no")
         self.check_varies(supports)
         like = node.scalar("like")
         return m.Device(
@@ -140,10 +145,15 @@ class _Device:
             manual=manual.value if manual else None,
             sources=sources(node, self.types.vocabulary, self.problems),
             like=like if like in self.types.vocabulary.devices else None,
+            evidence=tuple(dict.fromkeys(s.evidence for s in sorted(known, key=lambda s: _strength(s.evidence.kind)))),
             supports=supports,
+            refuses=tuple(s for s in known if s.evidence.answer == "no"),
             base_rates=self.rates(supports),
             ports=tuple(
-                m.Port(p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()), tuple(p["protocols"].plain()))
+                m.Port(
+                    p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()),
+                    tuple(p["receives"].plain()), tuple(p["sends"].plain()),
+                )
                 for p in node.get("ports") or ()
             ),
             limits=tuple(self.limit(n) for n in node.get("limits") or ()),
@@ -178,16 +188,50 @@ class _Device:
 
     # ----------------------------------------------------------------------- support
 
-    def listed(self) -> Iterator[tuple[Node, str | None]]:
-        """The lists of fields by set, each with the evidence for it if it is not certain."""
+    def listed(self) -> Iterator[tuple[Node, m.Evidence]]:
+        """The lists of fields by set, each with the evidence for it."""
         if "supports" in self.node:
-            yield self.node["supports"], None
-        for group in self.node.get("may_support") or ():
-            yield group["fields"], group["evidence"].value
+            yield self.node["supports"], m.Evidence("documented")
+        for group in self.node.get("evidence") or ():
+            yield group["fields"], self.evidence(group)
 
-    def supports(self) -> tuple[m.Support, ...]:
+    def evidence(self, node: Node) -> m.Evidence:
+        kind, of = node["kind"].value, list(node.get("of") or ())
+        if of and kind not in ("family", "sister"):
+            self.problems.add(node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister")
+        known = self.types.vocabulary.devices
+        for name in of:
+            if name.value not in known:
+                self.problems.add(name.position, f"unknown device '{name.value}'{nearest(name.value, known)}")
+        undefined = node.get("undefined")
+        return m.Evidence(
+            kind=kind,
+            sources=sources(node, self.types.vocabulary, self.problems),
+            of=tuple(name.value for name in of),
+            firmware=node.scalar("firmware"),
+            date=node.scalar("date"),
+            note=node.scalar("note", ""),
+            undefined=tuple(self.undefined(undefined)) if undefined else (),
+        )
+
+    def undefined(self, node: Node) -> Iterator[tuple[int, int]]:
+        """What the device has and the specification has not."""
+        known = {s.name: s for s in self.model.sets}
+        for name, entries in node.items():
+            if name not in known:
+                self.problems.add(node.keys[name], f"unknown set '{name}'{nearest(name, known)}")
+                continue
+            number = known[name].number
+            for entry in entries:
+                for f in self.model.candidates(number, entry.value):
+                    remedy = f"write '{f.name}' in fields"
+                    self.problems.add(entry.position, f"0x{entry.value:02X} of '{name}' is defined; {remedy}")
+                yield number, entry.value
+
+    def known(self) -> tuple[m.Support, ...]:
+        """All that is said of fields, also that it does not have them, by set and descriptor."""
         supports: dict[str, m.Support] = {}
-        functions, deprecated = self.functions(), self.node.get("deprecated")
+        functions, deprecated, firmware = self.functions(), self.node.get("deprecated"), self.node.get("firmware")
         for node, evidence in self.listed():
             for set_name, entries in node.items():
                 of = next((s for s in self.model.sets if s.name == set_name), None)
@@ -206,10 +250,14 @@ class _Device:
                         own = functions.get(full)
                         taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
                         instead = deprecated.scalar(full) if deprecated else None
-                        supports[full] = m.Support(f, of.number, taken, evidence, instead)
-        for key in ("functions", "deprecated"):
+                        since = next((firmware.scalar(x) for x in (full, set_name) if firmware and x in firmware), None)
+                        supports[full] = m.Support(f, of.number, taken, evidence, since, instead)
+        sets = {full.partition(".")[0] for full in supports}
+        for key in ("functions", "deprecated", "firmware"):
             for full, _ in self.node[key].items() if key in self.node else ():
                 f = self.model.field(full)
+                if key == "firmware" and full in sets:
+                    continue
                 if full not in supports and not (key == "functions" and (f is None or not f.functions)):
                     self.unsupported(key, full, full)
         return tuple(sorted(supports.values(), key=lambda s: (s.set, s.field.descriptor)))
@@ -324,7 +372,9 @@ class _Device:
         known = [u.symbol for u in self.model.protocol.units]
         if unit is not None and unit not in known:
             self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
-        return m.Limit(node["name"].value, node["value"].value, unit, node["description"].value)
+        return m.Limit(
+            node["name"].value, node["value"].value, unit, node["description"].value, node.scalar("firmware")
+        )
 
     def codes(self) -> tuple[int, ...]:
         node, of = self.node.get("ack_codes"), self.model.protocol.ack_code

@@ -15,7 +15,7 @@ from mipgen.read.problems import Problems, nearest
 #: What is inherited unless it is given.
 TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
 #: What is inherited entry by entry: by the name of a field, a parameter or a set.
-KEYED = ("functions", "deprecated", "varies", "base_rates")
+KEYED = ("functions", "deprecated", "firmware", "varies", "base_rates")
 #: The same for lists, by the name of each entry.
 NAMED = ("ports", "limits", "notes")
 
@@ -96,11 +96,10 @@ class _Heir:
             value["sources"] = self.listed("sources", [*self.parent["sources"], *(self.own.get("sources") or ())])
         lacked = self.lacked()
         value["supports"] = self.supports(lacked)
-        value["may_support"] = self.may_support(lacked, value["supports"])
-        before = self.names(self.parent.get("supports"), self.parent.get("may_support"))
-        gone = before - self.names(value["supports"], value["may_support"])
+        value["evidence"] = self.evidence(lacked)
+        has = self.names(value["supports"], value["evidence"])
         for key in KEYED:
-            value[key] = self.keyed(key, gone)
+            value[key] = self.keyed(key, has)
         for key in NAMED:
             value[key] = self.named(key)
         keys = {key: self.own.keys.get(key, self.own.position) for key in value}
@@ -117,7 +116,7 @@ class _Heir:
     def lacked(self) -> set[str]:
         """The fields that the other has and this one has not."""
         names = set()
-        known = {*_fields(self.parent.get("supports")), *_evident(self.parent)}
+        known = {*_fields(self.parent.get("supports")), *_kinds(self.parent)}
         for full, entry in _fields(self.own.get("lacks")).items():
             if full not in known:
                 near = nearest(full, known)
@@ -131,8 +130,8 @@ class _Heir:
         inherited = _fields(self.parent.get("supports"))
         added = _listed(self.own.get("supports"))
         for full, entry in added:
-            self.check_new(full, entry, lacked, inherited)
-        out = lacked | {full for full, _ in added}
+            self.check_new(full, entry, lacked, "documented")
+        out = lacked | {full for full, _ in added} | {*_kinds(self.own)}
         for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
             by_set.setdefault(full.partition(".")[0], []).append(entry)
         keys: dict[str, m.Position] = {}
@@ -140,44 +139,56 @@ class _Heir:
             keys |= node["supports"].keys if "supports" in node else {}
         return self.mapped("supports", {name: self.listed(name, entries) for name, entries in by_set.items()}, keys)
 
-    def may_support(self, lacked: set[str], supports: Node) -> Node:
-        """The same for support that is not certain; support that has become certain is not included."""
-        inherited = {**_evident(self.parent), **_fields(self.parent.get("supports"))}
-        own = self.own.get("may_support")
-        for full, entry in _evident(self.own).items():
-            self.check_new(full, entry, lacked, inherited)
-        groups = [
-            *_left(self.parent.get("may_support"), lacked | {*_fields(supports)}),
-            *_left(own, {*inherited} - lacked),
-        ]
-        return self.listed("may_support", groups)
+    def evidence(self, lacked: set[str]) -> Node:
+        """The same for other evidence: what is known of the device itself takes the place of what is inherited."""
+        for kind, full, entry in _evident(self.own):
+            self.check_new(full, entry, lacked, kind)
+        own = {*_fields(self.own.get("supports")), *_kinds(self.own)}
+        return self.listed(
+            "evidence", [*_left(self.parent.get("evidence"), lacked | own), *(self.own.get("evidence") or ())]
+        )
 
-    def check_new(self, full: str, entry: Node, lacked: set[str], inherited: dict[str, Node]) -> None:
-        if full in inherited and full not in lacked:
-            self.problems.add(entry.position, f"'{self.like}' already supports '{full}'; remove it")
+    def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
+        """What is said of a field must be more than is inherited: stronger, or the contrary."""
+        inherited = _kinds(self.parent).get(full)
+        if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused"):
+            return
+        known = list(m.EVIDENCE)
+        if known.index(kind) >= known.index(inherited):
+            self.problems.add(entry.position, f"'{self.like}' already has '{full}' ({inherited}); remove it")
 
-    def names(self, supports: Node | None, may_support: Node | None) -> set[str]:
-        """The fields that are supported, perhaps, with their responses; and their sets."""
+    def names(self, supports: Node | None, evidence: Node | None) -> set[str]:
+        """The fields that are supported, for certain or probably, with their responses; and their sets."""
         names = set()
-        for full in (*_fields(supports), *(full for group in may_support or () for full in _fields(group["fields"]))):
+        groups = [group for group in evidence or () if group["kind"].value != "refused"]
+        for full in (*_fields(supports), *(full for group in groups for full in _fields(group["fields"]))):
             f = self.model.field(full)
             names |= {full, full.partition(".")[0], *(r.full_name for r in (self.model.responses(f) if f else ()))}
         return names
 
     # ----------------------------------------------------------------------- the rest
 
-    def keyed(self, key: str, gone: set[str]) -> Node:
-        """Statements about fields and sets that are still present, then those made here."""
+    def keyed(self, key: str, has: set[str]) -> Node:
+        """Statements about fields and sets that the device has, then those made here."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
         nodes: dict[str, Node] = {}
         keys: dict[str, m.Position] = {}
         for name, node in inherited.items() if inherited else ():
             of = name.rpartition(".")[0] if key == "varies" else name
-            if of not in gone and name not in without:
+            if name not in without and self.concerned(of, has):
                 assert inherited is not None
                 nodes[name], keys[name] = node, inherited.keys[name]
         return self.mapped(key, {**nodes, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
+
+    def concerned(self, name: str, has: set[str]) -> bool:
+        """Does the device have this field or set? A family says it for those of its devices that do; a name that
+        nobody knows is kept, so that it is found."""
+        f = self.model.field(name)
+        if f is None:
+            return name in has or all(name != s.name for s in self.model.sets)
+        own = {f.full_name, *(f.name_in(o.set) for o in f.occurrences)}
+        return "family" in self.own or f is self.model.protocol.acknowledge or not own.isdisjoint(has)
 
     def named(self, key: str) -> Node:
         """The entries of both; one of the same name takes the place of the other's."""
@@ -209,13 +220,22 @@ def _fields(node: Node | None) -> dict[str, Node]:
     return dict(_listed(node))
 
 
-def _evident(node: Node) -> dict[str, Node]:
-    """The same of the fields that a profile may support."""
-    return {full: x for group in node.get("may_support") or () for full, x in _fields(group["fields"]).items()}
+def _evident(node: Node) -> list[tuple[str, str, Node]]:
+    """The same of the fields that other evidence names, each with its kind."""
+    groups = node.get("evidence") or ()
+    return [(group["kind"].value, full, x) for group in groups for full, x in _listed(group["fields"])]
+
+
+def _kinds(node: Node) -> dict[str, str]:
+    """Full name of each field that a profile names -> kind of the evidence."""
+    return {
+        **{full: kind for kind, full, _ in _evident(node)},
+        **dict.fromkeys(_fields(node.get("supports")), "documented"),
+    }
 
 
 def _left(groups: Node | None, out: set[str]) -> list[Node]:
-    """The groups of fields that a profile may support, without some fields."""
+    """The evidence without some fields."""
     left = []
     for group in groups or ():
         fields = {}

@@ -22,6 +22,7 @@ class Selection:
     devices: tuple[str, ...] = ()
     sets: tuple[str, ...] = ()
     fields: tuple[str, ...] = ()
+    certain: bool = False  # of a device only what it has for certain
 
     def __bool__(self) -> bool:
         return bool(self.devices or self.sets or self.fields)
@@ -29,6 +30,10 @@ class Selection:
 
 def select(model: m.Model, selection: Selection) -> m.Model:
     """The part of the model that is selected."""
+    if selection.certain:
+        if not selection.devices:
+            raise Failure("--certain is about devices; name one with --device")
+        model = replace(model, devices=tuple(replace(d, supports=d.certain) for d in model.devices))
     selection = replace(selection, sets=tuple(_set_name(model, word) for word in selection.sets))
     _check(model, selection)
     needed = _needed(model, _asked(model, selection), selection.devices)
@@ -198,6 +203,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
     return replace(
         d,
         supports=tuple(replace(s, field=fields[s.name]) for s in d.supports if s.name in fields),
+        refuses=tuple(replace(s, field=fields[s.name]) for s in d.refuses if s.name in fields),
         base_rates=tuple(replace(r, set=sets[r.set.name]) for r in d.base_rates if r.set.name in sets),
         variants=tuple(replace(v, field=named[v.field.full_name]) for v in d.variants if v.field.full_name in named),
     )

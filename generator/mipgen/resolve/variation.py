@@ -111,6 +111,7 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
         only=_only(node, p, reading or p.element, problem),
         deprecated=node.scalar("deprecated"),
         description=node.scalar("description", ""),
+        inferred=node.scalar("inferred", ""),
     )
 
 

@@ -3,19 +3,47 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
+from functools import cached_property
 from typing import Any, Protocol
+
+Key = tuple[int, int]  # descriptor set and descriptor
+
+
+class Support(Enum):
+    """Does a device have a command or a data field?"""
+
+    YES = "yes"
+    PROBABLE = "probable"
+    NO = "no"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Why a device is believed to have some fields, or not to have them."""
+
+    answer: Support
+    kind: str
+    """From "documented" in its manual and "listed" by the device to concluded from a "sister"."""
+    why: str
+    fields: frozenset[Key]
+    """(set, descriptor) of commands and data."""
+    undefined: tuple[Key, ...] = ()
+    """The same of what the device lists and no layout is known of."""
 
 
 @dataclass(frozen=True)
 class Port:
-    """A port, and the protocols that it supports."""
+    """A port, and the protocols that it receives and sends."""
 
     name: str
     id: int | None  # the number that commands use
     baud_rates: tuple[int, ...]
-    protocols: tuple[str, ...]
+    receives: tuple[str, ...]
+    sends: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -53,16 +81,14 @@ class Device:
     title: str
     description: str
     model_number: int | None
-    fields: frozenset[tuple[int, int]]  # (set, descriptor) of commands and data
-    functions: dict[tuple[int, int], str]  # letters, where they differ from the definition
+    evidence: tuple[Evidence, ...]  # strongest first
+    functions: dict[Key, str]  # letters, where they differ from the definition
     base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arrives
     ports: tuple[Port, ...]
     limits: dict[str, Limit]
     notes: dict[str, Note]
     readings: dict[str, Any]  # "set.field.parameter" -> enumeration or bitfield to read it as
     ack_codes: frozenset[int] = field(default_factory=frozenset)
-    perhaps: dict[tuple[int, int], str] = field(default_factory=dict)
-    """(set, descriptor) of commands and data that it may have -> why this is believed."""
     incomplete: tuple[str, ...] = ()
     """What is not known of it. If there are any sentences, it may have more than is listed."""
     also: tuple[str, ...] = ()  # other names
@@ -72,14 +98,39 @@ class Device:
     def __repr__(self) -> str:
         return f"<Device {self.id}: {self.title}>"
 
-    def supports(self, set: int, descriptor: int) -> bool:
-        """Does it support this command or data field? Shared fields are supported in every data
-        set."""
-        return _has(self.fields, set, descriptor)
+    @cached_property
+    def fields(self) -> frozenset[Key]:
+        """(set, descriptor) of the commands and data that it has for certain or probably."""
+        return self.certain.union(
+            *(e.fields for e in self.evidence if e.answer is Support.PROBABLE)
+        )
 
-    def may_support(self, set: int, descriptor: int) -> bool:
-        """The same, including support that is not certain."""
-        return self.supports(set, descriptor) or _has(self.perhaps, set, descriptor)
+    @cached_property
+    def certain(self) -> frozenset[Key]:
+        """The same of those that it has for certain."""
+        return frozenset().union(*(e.fields for e in self.evidence if e.answer is Support.YES))
+
+    def has(self, set: int, descriptor: int) -> bool:
+        """Does it have this command or data field, for certain or probably? `support` tells these
+        apart."""
+        return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
+
+    def support(self, set: int, descriptor: int) -> Support:
+        """Does it have this command or data field? Shared fields are had in every data set; of a
+        whole profile, what it does not list is `NO`."""
+        found = self.why(set, descriptor)
+        if found is not None:
+            return found.answer
+        return Support.UNKNOWN if self.incomplete else Support.NO
+
+    def why(self, set: int, descriptor: int) -> Evidence | None:
+        """What says so; None if nothing does."""
+        found = self._evidence.get((set, descriptor))
+        return self._evidence.get((0xFF, descriptor)) if found is None and set >= 0x80 else found
+
+    @cached_property
+    def _evidence(self) -> Mapping[Key, Evidence]:
+        return {key: e for e in self.evidence for key in e.fields}
 
     def decimation(self, set: int, rate: float) -> int:
         """The decimation that is closest to a desired rate in Hz; at least 1.
@@ -92,10 +143,6 @@ class Device:
         if base <= 0:
             raise ValueError(f"{self.title} sends set 0x{set:02X} at no fixed rate")
         return max(1, min(0xFFFF, round(base / rate)))
-
-
-def _has(known: Container[tuple[int, int]], set: int, descriptor: int) -> bool:
-    return (set, descriptor) in known or (set >= 0x80 and (0xFF, descriptor) in known)
 
 
 def model_number(text: str) -> int | None:

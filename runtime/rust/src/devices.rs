@@ -26,8 +26,10 @@ pub struct Profile {
     pub manual: Option<&'static str>,
     /// Sentences on what is not known of it. If there are any, it may have more than is listed.
     pub incomplete: &'static [&'static str],
-    /// Its commands and data fields, including those that are not certain.
+    /// The commands and data fields that it has for certain or probably.
     pub fields: &'static [Supported],
+    /// Those that it is known not to have.
+    pub refuses: &'static [Supported],
     /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
     /// Its ports.
@@ -40,7 +42,30 @@ pub struct Profile {
     pub ack_codes: &'static [AckCode],
 }
 
-/// A field that a device supports.
+/// Does a device have a command or a data field?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// It does.
+    Yes,
+    /// It probably does.
+    Probable,
+    /// It does not.
+    No,
+    /// No source says anything of it, and the profile is not whole.
+    Unknown,
+}
+
+/// Why a device is believed to have some fields, or not to have them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Evidence {
+    /// What it says of them.
+    pub answer: Support,
+    /// Why, in words.
+    pub why: &'static str,
+}
+
+/// A field that a device has for certain or probably, or that it has not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Supported {
@@ -52,8 +77,8 @@ pub struct Supported {
     pub name: &'static str,
     /// The function selectors that the device accepts; empty if the field has none.
     pub functions: &'static [FunctionSelector],
-    /// Why the device is believed to support it; `None` if that is certain.
-    pub evidence: Option<&'static str>,
+    /// How certain that is, and why.
+    pub evidence: &'static Evidence,
 }
 
 /// The base rate of a data set.
@@ -76,8 +101,10 @@ pub struct ProfilePort {
     pub id: Option<u8>,
     /// The baud rates that it supports.
     pub baud_rates: &'static [u32],
-    /// The protocols that it supports.
-    pub protocols: &'static [&'static str],
+    /// The protocols that it receives.
+    pub receives: &'static [&'static str],
+    /// The protocols that it sends.
+    pub sends: &'static [&'static str],
 }
 
 /// A limit of a device.
@@ -126,26 +153,34 @@ impl Profile {
         ALL.iter().copied().find(|device| device.model_number == Some(number))
     }
 
-    /// The entry of a field, if the device supports it in packets of this set.
+    /// Does the device have a field in packets of this set? Of a whole profile, what it does not
+    /// list is [`Support::No`].
     ///
-    /// Shared fields occur in every data set.
+    /// Shared fields are had in every data set.
     #[must_use]
-    pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
-        self.may_support(set, descriptor).filter(|field| field.evidence.is_none())
+    pub fn support(&self, set: u8, descriptor: u8) -> Support {
+        match self.field(set, descriptor) {
+            Some(field) => field.evidence.answer,
+            None if self.incomplete.is_empty() => Support::No,
+            None => Support::Unknown,
+        }
     }
 
-    /// The same, even if it is not certain: the evidence says why it is believed.
+    /// What the profile says of a field in packets of this set: its evidence says how certain it is,
+    /// and why.
     #[must_use]
-    pub fn may_support(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+    pub fn field(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
-        self.fields.iter().find(|f| f.descriptor == descriptor && matches(f))
+        let mut said = self.fields.iter().chain(self.refuses);
+        said.find(|f| f.descriptor == descriptor && matches(f))
     }
 
-    /// Does it support this field, in one of the sets in which it occurs? [`Profile::supports`] asks
-    /// for one set.
+    /// Does it have this field, for certain or probably, in one of the sets in which it occurs?
+    /// [`Profile::support`] asks for one set.
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
-        T::SETS.iter().any(|set| self.supports(*set, T::DESCRIPTOR).is_some())
+        let found = |set: &u8| self.support(*set, T::DESCRIPTOR);
+        T::SETS.iter().map(found).any(|x| matches!(x, Support::Yes | Support::Probable))
     }
 
     /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.

@@ -186,7 +186,7 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
 def _adjusted(stream: Stream, profile: Any) -> Stream:
     """The rate that the device can have, which is its base rate by a whole number."""
     kind = named(stream.name).kind
-    if not profile.may_support(stream.set, kind.DESCRIPTOR):
+    if not profile.has(stream.set, kind.DESCRIPTOR):
         raise Failure(f"{profile.title} does not send {stream.name} in {show.set_name(stream.set)}")
     base = profile.base_rates.get(stream.set, 0)
     if base <= 0:

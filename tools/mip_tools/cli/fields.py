@@ -95,8 +95,8 @@ def has_words(text: str) -> bool:
 
 def _supports(profile: Any, number: int, kind: type[Field]) -> bool:
     if issubclass(kind, Response):
-        return any(profile.may_support(c.SET, c.DESCRIPTOR) for c in kind.COMMANDS)
-    return bool(profile.may_support(number, kind.DESCRIPTOR))
+        return any(profile.has(c.SET, c.DESCRIPTOR) for c in kind.COMMANDS)
+    return bool(profile.has(number, kind.DESCRIPTOR))
 
 
 def _all() -> list[Occurrence]:

@@ -46,8 +46,7 @@ def meaning_all(command: Command, name: str, value: Any, function: int | None) -
 
 def data_sets(profile: Device) -> frozenset[int]:
     """The data sets that a device sends."""
-    known = (*profile.fields, *profile.perhaps)
-    return frozenset(set for set, _ in known if 0x80 <= set < 0xFF)
+    return frozenset(set for set, _ in profile.fields if 0x80 <= set < 0xFF)
 
 
 def _instances(command: Command, profile: Device, function: int | None) -> None:

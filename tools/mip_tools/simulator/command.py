@@ -168,9 +168,8 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
 
 def _known(profile: Device) -> str:
     """How complete a profile is, for those that are incomplete."""
-    known = profile.fields | profile.perhaps.keys()
-    commands = sum(1 for set, _ in known if set < 0x80)
-    data = len(known) - commands
+    commands = sum(1 for set, _ in profile.fields if set < 0x80)
+    data = len(profile.fields) - commands
     return f"{_count(commands, 'command')}, {_count(data, 'data field')}"
 
 

@@ -74,7 +74,7 @@ class VirtualDevice:
         self.faults = faults
         self.settings = Settings(self.profile, storage)
         self.world: World = World(moving or Standing(), seed=seed, start=start)
-        self.known = self.profile.fields | self.profile.perhaps.keys()
+        self.known = self.profile.fields
         self.links: list[Link] = []
         self.idle = False
         self.direct = False

@@ -36,12 +36,12 @@ def main(device: VirtualDevice, name: str) -> bool:
 
 def protocols(device: VirtualDevice, port: Port) -> tuple[int, int]:
     """What a port receives and sends; if no command sets it, every protocol of the port."""
-    own = sum(PROTOCOLS.get(name, 0) for name in port.protocols) or MIP
+    takes, gives = (sum(PROTOCOLS.get(name, 0) for name in names) or MIP for names in (port.receives, port.sends))
     for given in device.settings_of("protocols"):
         if given["port"] == port.id:
             return given["incoming"], given["outgoing"]
     if main(device, port.name) or not device.has_effect("protocols"):
-        return own, own
+        return takes, gives
     return 0, 0
 
 
@@ -56,9 +56,9 @@ def check(device: VirtualDevice, values: dict[str, Any], link: Link | None) -> N
         raise Refused(COMMAND_FAILED)
     if port is None:
         raise Refused(INVALID_PARAMETER)
-    own = sum(PROTOCOLS.get(name, 0) for name in port.protocols)
-    if (values["incoming"] | values["outgoing"]) & ~own:
-        raise Refused(INVALID_PARAMETER)
+    for way, names in (("incoming", port.receives), ("outgoing", port.sends)):
+        if values[way] & ~sum(PROTOCOLS.get(name, 0) for name in names):
+            raise Refused(INVALID_PARAMETER)
     if main(device, port.name) and not values["incoming"] & values["outgoing"] & MIP:
         raise Refused(COMMAND_FAILED)
     for name, limit in PARSERS.items():

@@ -422,7 +422,7 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls what mip_3dm_imu_message_format stores; if nothing is stored, the device
  * refuses the command.
@@ -686,7 +686,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
  * Gets the rate that is divided by the decimations of mip_3dm_imu_message_format.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -721,7 +721,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_encode(
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
  * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -884,7 +884,8 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * Fields of the sensor data packets (0x80), in order, with their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
  * rate.
@@ -977,8 +978,8 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
- * Answers mip_3dm_imu_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_3dm_imu_message_format. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -1589,7 +1590,8 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
  *
  * Gets the rate that is divided by the decimations of a descriptor set.
  *
- * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1660,7 +1662,8 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1963,7 +1966,7 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  *
  * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (enum
  * mip_3dm_legacy_data_stream), other devices by its descriptor set.
@@ -1980,13 +1983,13 @@ struct mip_3dm_data_stream_control {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15,
-     * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-     * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
-     * 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On
-     * the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
-     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-10,
+     * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+     * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
+     * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+     * mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream;
+     * only MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
     /**
@@ -2022,12 +2025,12 @@ static inline mip_error mip_3dm_data_stream_control_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
  *   current data. What was measured while it was disabled is not sent.
  */
@@ -2043,12 +2046,12 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
@@ -2061,12 +2064,12 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
@@ -2079,12 +2082,12 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
@@ -2097,12 +2100,12 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
@@ -2116,21 +2119,21 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  * Data Stream Control response: response (0x0C,0x85).
  *
  * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-     * 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
-     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
-     * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
-     * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+     * Stream given in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+     * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+     * 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the
+     * 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU
+     * and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
@@ -2894,8 +2897,11 @@ struct mip_3dm_pps_source_control {
     uint8_t function;
     /**
      * Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
-     * 3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
      * MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+     * On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+     * MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
      */
     uint8_t source;
 };
@@ -2925,8 +2931,11 @@ static inline mip_error mip_3dm_pps_source_control_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+ *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
  *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+ *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
  */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
@@ -3533,7 +3542,8 @@ union mip_3dm_event_trigger_config_parameters {
  * Kind and condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS.
  *
  * The trigger is disabled afterwards; mip_3dm_event_control enables it.
  *
@@ -3675,7 +3685,7 @@ union mip_3dm_event_trigger_config_response_parameters {
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
  * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_config. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -3727,7 +3737,7 @@ union mip_3dm_event_action_config_parameters {
  * Trigger and effect of an event action.
  *
  * Also called `event_action`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_action_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_action_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
  *
@@ -3869,7 +3879,7 @@ union mip_3dm_event_action_config_response_parameters {
  * Event Action Configuration response: response (0x0C,0xB9).
  *
  * Also called `event_action_response`. Answers mip_3dm_event_action_config. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Event Cycle
@@ -6157,7 +6167,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -6301,7 +6311,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -6383,8 +6393,8 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by 3DM-CV7-GNSS/INS
+ * and 3DM-GQ7-GNSS/INS.
  *
  * A read returns the level of the pin itself.
  *
@@ -6463,7 +6473,7 @@ static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
- * Answers mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -6702,11 +6712,13 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  * Low-pass filter of one quantity of the sensor data.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use
- * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter
- * instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on
- * the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
+ * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the
+ * 3DM-CV7-AR: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use
+ * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter
+ * instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the
+ * 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -6855,7 +6867,8 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
  * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -6968,8 +6981,8 @@ struct mip_3dm_complementary_filter {
     mip_bool pitch_roll_enable;
     /**
      * Corrects the heading (north, in terms of the 5-series). Required for write. On the
-     * 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
-     * offer it. On the 3DM-GX5-15: default true.
+     * 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
+     * does not offer it. On the 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -7011,8 +7024,8 @@ static inline mip_error mip_3dm_complementary_filter_encode(
  * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
  *   On the 3DM-GX5-15: default true.
  * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
- *   the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
- *   offer it. On the 3DM-GX5-15: default true.
+ *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
+ *   does not offer it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
  *   to 1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
@@ -7436,7 +7449,9 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07.
+ * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.
@@ -7574,7 +7589,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
  * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */

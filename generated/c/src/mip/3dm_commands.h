@@ -770,12 +770,12 @@ static inline mip_error mip_send_3dm_data_stream_control(
  * Data Stream Control: write. Apply the new setting. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
  *   current data. What was measured while it was disabled is not sent.
  */
@@ -792,12 +792,12 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
  * Data Stream Control: read. Return the current setting in a response. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
@@ -812,12 +812,12 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
  * Data Stream Control: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
@@ -830,12 +830,12 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
  * Data Stream Control: load. Load the saved setting. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
@@ -848,12 +848,12 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
  * Data Stream Control: default. Load the factory default setting. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
- *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
- *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
- *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
- *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
                                                                          uint8_t descriptor_set) {
@@ -1213,8 +1213,11 @@ static inline mip_error mip_send_3dm_pps_source_control(
  * PPS Source Control: write. Apply the new setting. See mip_device_call.
  *
  * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
- *   3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+ *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
  *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+ *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
  */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
@@ -3135,8 +3138,8 @@ static inline mip_error mip_send_3dm_complementary_filter(
  * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
  *   On the 3DM-GX5-15: default true.
  * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
- *   the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
- *   offer it. On the 3DM-GX5-15: default true.
+ *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
+ *   does not offer it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
  *   to 1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to

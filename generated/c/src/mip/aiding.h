@@ -3,6 +3,8 @@
  *
  * Aiding commands (0x13). Measurements of external sensors for the navigation filter, and the
  * frames of the sensors.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_AIDING_H
 #define MIP_AIDING_H
@@ -109,7 +111,7 @@ union mip_aiding_frame_config_rotation {
  * Where and how an external sensor is mounted on the vehicle.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * Aiding measurements name the frame by its number.
  *
@@ -266,7 +268,8 @@ union mip_aiding_frame_config_response_rotation {
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Answers mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames

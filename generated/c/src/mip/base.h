@@ -59,7 +59,7 @@ MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
  *
  * Checks whether a device is present and answers commands.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
  * A device that is not in a normal operating mode may refuse the command.
@@ -99,7 +99,8 @@ static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be configured.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * mip_base_resume restores the previous mode.
  *
@@ -140,8 +141,9 @@ static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle 
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+ * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -176,8 +178,8 @@ static inline mip_error mip_base_get_device_info_encode(
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -255,8 +257,9 @@ static inline mip_error mip_base_get_device_info_response_encode_inline(
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST.
  *
  * If the list contains the descriptor of mip_base_get_extended_descriptors, that command returns
  * further descriptors.
@@ -294,8 +297,9 @@ static inline mip_error mip_base_get_device_descriptors_encode(
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
- * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -338,8 +342,9 @@ static inline mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The maximum
- * duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
+ * The maximum duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves
+ * room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -381,8 +386,8 @@ static inline mip_error mip_base_built_in_test_encode(const struct mip_base_buil
 /**
  * Built-in test response: response (0x01,0x83).
  *
- * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -390,10 +395,16 @@ static inline mip_error mip_base_built_in_test_encode(const struct mip_base_buil
  */
 struct mip_base_built_in_test_response {
     /**
-     * Failure flags, defined by each device. Zero means that every test passed. On the
-     * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
-     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-GX5-15: values of
-     * mip_gx5_built_in_test.
+     * Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CL5-10,
+     * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+     * 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of mip_gx5_built_in_test. Inferred: The
+     * 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15,
+     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-35,
+     * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-CV7-AHRS,
+     * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of mip_cv7_built_in_test. Inferred:
+     * The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the
+     * 3DM-GX5-15: values of mip_gx5_built_in_test.
      */
     uint32_t result;
 };
@@ -451,7 +462,8 @@ static inline mip_error mip_base_built_in_test_response_encode_inline(
  *
  * Ends idle mode and returns the device to the mode that it was in before.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -491,8 +503,8 @@ static inline mip_error mip_base_resume_encode(const struct mip_base_resume *val
  * Gets the supported descriptors that did not fit into the reply of
  * mip_base_get_device_descriptors.
  *
- * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
- * and 3DM-GX5-35.
+ * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Only supported if mip_base_get_device_descriptors lists it.
  *
@@ -529,8 +541,8 @@ static inline mip_error mip_base_get_extended_descriptors_encode(
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-35.
+ * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -573,7 +585,7 @@ static inline mip_error mip_base_get_extended_descriptors_response_encode(
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
  * Also called `continuous_bit`. Answered by mip_base_continuous_built_in_test_response. Supported
- * by 3DM-CV7-GNSS/INS.
+ * by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is less thorough than mip_base_built_in_test.
  *
@@ -615,14 +627,16 @@ static inline mip_error mip_base_continuous_built_in_test_encode(
  * Continuous built-in test response: response (0x01,0x88).
  *
  * Also called `continuous_bit_response`. Answers mip_base_continuous_built_in_test. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
 struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
+     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
      */
     uint8_t result[16];
 };
@@ -681,7 +695,7 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode_inline
  * Baud rate of one communication port.
  *
  * Functions: write, read, save, load and default. Answered by mip_base_comm_speed_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms.
  *
@@ -701,7 +715,9 @@ struct mip_base_comm_speed {
     uint8_t function;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only. On the
-     * 3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+     * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
+     * enum mip_comm_interface.
      */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
@@ -733,7 +749,9 @@ static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_sp
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+ *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
+ *   mip_comm_interface.
  * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_base_comm_speed *
@@ -748,7 +766,9 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+ *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
+ *   mip_comm_interface.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
@@ -761,7 +781,9 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+ *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
+ *   mip_comm_interface.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
@@ -774,7 +796,9 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+ *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
+ *   mip_comm_interface.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
@@ -787,7 +811,9 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+ *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
+ *   mip_comm_interface.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
@@ -800,12 +826,17 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Answers mip_base_comm_speed. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_base_comm_speed. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed_response {
-    /** Port id of the device. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. */
+    /**
+     * Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
+     * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+     * 3DM-GV7-INS and 3DM-RTK: values of enum mip_comm_interface.
+     */
     uint8_t port;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t baud;
@@ -867,8 +898,8 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: write only.
+ * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -981,7 +1012,7 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
  * The current week number.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -1049,7 +1080,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_encode_inl
  * The current time of week.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -1113,7 +1144,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
  *
  * Acknowledges the command, then resets the device immediately.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)

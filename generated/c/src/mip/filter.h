@@ -1324,9 +1324,14 @@ struct mip_filter_estimation_control {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
-     * 3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+     * States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
+     * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+     * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and
+     * 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+     * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+     * the 3DM-CV5-45: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+     * MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
+     * MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET,
      * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
      * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
      * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
@@ -1360,14 +1365,18 @@ static inline mip_error mip_filter_estimation_control_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
- *   3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
- *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
+ *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS.
+ *   On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-CV5-45: only
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
- *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ *   3DM-RQ1-45-ST: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
  */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
@@ -1882,14 +1891,21 @@ struct mip_filter_heading_source {
     uint8_t function;
     /**
      * Source of the heading. A value of enum mip_filter_heading_update_source. Required for write.
-     * On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
-     * 3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
-     * and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
-     * only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
-     * On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+     * On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+     * 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL.
+     * On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
      */
     uint8_t source;
 };
@@ -1919,14 +1935,21 @@ static inline mip_error mip_filter_heading_source_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
- *   write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
- *   3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
- *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+ *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL. On
+ *   the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
  */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
@@ -3363,9 +3386,9 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
- * Answers mip_filter_tare_orientation. Uncertain: Which devices send it. The SDK reads the setting
- * back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
- * response.
+ * No device is certain to support it. Answers mip_filter_tare_orientation. Uncertain: Which devices
+ * send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have
+ * neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -4708,7 +4731,9 @@ struct mip_filter_magnetic_declination_source {
     uint8_t function;
     /**
      * Source of the declination. A value of enum mip_filter_mag_parameter_source. Required for
-     * write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+     * write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
+     * MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
+     * 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
      * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
      */
     uint8_t source;
@@ -4746,7 +4771,9 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+ *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
+ *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
  *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
@@ -6566,7 +6593,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -6580,8 +6608,17 @@ struct mip_filter_aiding_measurement_enable {
     uint8_t function;
     /**
      * The source; `all` is for save, load and default. A value of mip_filter_aiding_source. On the
-     * 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING
-     * and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR: only
+     * 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
+     * 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+     * MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+     * MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_ALTIMETER,
+     * MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING,
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER, MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG,
+     * MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and MIP_FILTER_AIDING_SOURCE_ALL. On the
+     * 3DM-GQ7-GNSS/INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+     * MIP_FILTER_AIDING_SOURCE_GNSS_HEADING, MIP_FILTER_AIDING_SOURCE_ALTIMETER,
+     * MIP_FILTER_AIDING_SOURCE_SPEED, MIP_FILTER_AIDING_SOURCE_MAG,
      * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
      */
     uint16_t aiding_source;
@@ -6614,9 +6651,19 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  * - enable: Whether the filter uses the source. Required for write.
  */
 static inline struct mip_filter_aiding_measurement_enable *
@@ -6632,9 +6679,19 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
@@ -6648,9 +6705,19 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
@@ -6664,9 +6731,19 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
@@ -6680,9 +6757,19 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
@@ -6696,7 +6783,8 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -6953,8 +7041,8 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS
+ * and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -6983,7 +7071,13 @@ struct mip_filter_initialization_config {
      * mip_filter_initial_condition_source. Required for write.
      */
     uint8_t initial_condition_source;
-    /** Methods by which the initial heading may be determined. Required for write. */
+    /**
+     * Methods by which the initial heading may be determined. Required for write. On the
+     * 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC,
+     * MIP_FILTER_HEADING_ALIGNMENT_MAG and MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the
+     * 3DM-GQ7-GNSS/INS: only MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA,
+     * MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and MIP_FILTER_HEADING_ALIGNMENT_MAG.
+     */
     mip_filter_heading_alignment auto_heading_alignment_selector;
     /** Initial heading that the user provides. Unit: deg. Required for write. */
     float initial_heading;
@@ -7041,7 +7135,11 @@ static inline mip_error mip_filter_initialization_config_encode(
  * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
  *   value of enum mip_filter_initial_condition_source. Required for write.
  * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
- *   Required for write.
+ *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
+ *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
+ *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
  * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
  * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
  * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
@@ -7108,7 +7206,7 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
  * Also called `initialization_configuration_response`. Answers mip_filter_initialization_config.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -7241,7 +7339,7 @@ struct mip_filter_adaptive_filter_options {
     uint8_t function;
     /**
      * Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2. Required
-     * for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+     * for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
      * MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
      */
     uint8_t level;
@@ -7277,7 +7375,7 @@ static inline mip_error mip_filter_adaptive_filter_options_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
- *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+ *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
  *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
  * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
  *   ms. Required for write.

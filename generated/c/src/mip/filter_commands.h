@@ -494,14 +494,18 @@ static inline mip_error mip_send_filter_estimation_control(
 /**
  * Estimation control flags: write. Apply the new setting. See mip_device_call.
  *
- * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
- *   3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
- *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
+ *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS.
+ *   On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-CV5-45: only
  *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
- *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
- *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ *   3DM-RQ1-45-ST: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
  */
 static inline struct mip_result mip_call_filter_estimation_control_write(
     struct mip_device *device, mip_filter_estimated_states flags) {
@@ -740,14 +744,21 @@ static inline mip_error mip_send_filter_heading_source(
  * Heading update control: write. Apply the new setting. See mip_device_call.
  *
  * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
- *   write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
- *   3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
- *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
- *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
- *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
- *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+ *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL. On
+ *   the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
  */
 static inline struct mip_result mip_call_filter_heading_source_write(
     struct mip_device *device, enum mip_filter_heading_update_source source) {
@@ -2082,7 +2093,9 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  * Magnetic declination source: write. Apply the new setting. See mip_device_call.
  *
  * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
- *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+ *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
+ *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
  *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
@@ -2939,9 +2952,19 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
  * Aiding measurement control: write. Apply the new setting. See mip_device_call.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  * - enable: Whether the filter uses the source. Required for write.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
@@ -2956,9 +2979,19 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
  * Aiding measurement control: read. Return the current setting in a response. See mip_device_call.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     struct mip_device *device, uint16_t aiding_source,
@@ -2974,9 +3007,19 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
  * mip_device_call.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16_t aiding_source) {
@@ -2990,9 +3033,19 @@ mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16
  * Aiding measurement control: load. Load the saved setting. See mip_device_call.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16_t aiding_source) {
@@ -3006,9 +3059,19 @@ mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16
  * Aiding measurement control: default. Load the factory default setting. See mip_device_call.
  *
  * - aiding_source: The source; `all` is for save, load and default. A value of
- *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
- *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
- *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_default(
     struct mip_device *device, uint16_t aiding_source) {
@@ -3137,7 +3200,11 @@ static inline mip_error mip_send_filter_initialization_config(
  * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
  *   value of enum mip_filter_initial_condition_source. Required for write.
  * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
- *   Required for write.
+ *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
+ *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
+ *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
  * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
  * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
  * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
@@ -3240,7 +3307,7 @@ static inline mip_error mip_send_filter_adaptive_filter_options(
  * Adaptive filter control: write. Apply the new setting. See mip_device_call.
  *
  * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
- *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+ *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
  *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
  * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
  *   ms. Required for write.

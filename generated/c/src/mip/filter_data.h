@@ -2,6 +2,8 @@
  * @file
  *
  * Filter data (0x82). Estimates of the navigation filter and its status.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_FILTER_DATA_H
 #define MIP_FILTER_DATA_H
@@ -363,7 +365,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  *
  * Estimated position.
  *
- * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -447,7 +449,7 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
  *
  * Estimated velocity.
  *
- * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -530,7 +532,7 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
  *
@@ -606,7 +608,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -682,7 +684,8 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -914,7 +917,7 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -997,7 +1000,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -1080,7 +1083,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
  * degrees of pitch up or down.
@@ -1314,7 +1317,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
  *
  * Compensated acceleration minus the estimated gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1388,7 +1391,8 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
  *
  * Angular rate without the estimated bias.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1533,7 +1537,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * The meaning of all three values depends on the device.
  *
@@ -1547,20 +1551,41 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  */
 struct mip_filter_data_status {
     /**
-     * State of the filter. On the 3DM-CV7-GNSS/INS: values of enum
+     * State of the filter. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+     * 3DM-GX5-45: values of enum mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has
+     * them, and the SDK gives the same states for all generations up to the fifth. On the
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
+     * mip_filter_data_cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives
+     * the same states for its generation. On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of enum
+     * Motion for which the filter is configured. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
+     * 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
+     * 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum mip_filter_data_gx5_dynamics_mode.
+     * Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up
+     * to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
+     * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
+     * mip_filter_data_cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives
+     * the same states for its generation. On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_dynamics_mode.
      */
     uint16_t dynamics_mode;
     /**
-     * Condition and warnings. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags.
-     * On the 3DM-GX5-15: values of mip_filter_data_gx5_status_flags.
+     * Condition and warnings. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+     * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+     * 3DM-GX5-45: values of mip_filter_data_gx5_status_flags. Inferred: The 3DM-GX5-15 has them,
+     * and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS,
+     * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+     * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_filter_data_cv7_status_flags.
+     * Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its
+     * generation. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags. On the
+     * 3DM-GX5-15: values of mip_filter_data_gx5_status_flags.
      */
     uint16_t status_flags;
 };
@@ -1781,7 +1806,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
  *
  * Estimated gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -2477,7 +2502,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
  *
  * Acceleration without the estimated bias; it includes gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -2551,7 +2576,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -2782,7 +2807,7 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+ * No device is certain to support it. Also called `magnetometer_offset`. Known only from the
  * MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
@@ -2858,7 +2883,7 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+ * No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
  * MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
@@ -2934,8 +2959,8 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
@@ -3008,8 +3033,8 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -3541,7 +3566,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inli
  *
  * Estimated error of the offset of one GNSS antenna.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The filter adds it to the stored offset.
  *
@@ -3705,7 +3730,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
  *
  * Standard deviation of the estimated position.
  *
- * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -3778,7 +3803,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -3851,7 +3876,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
  *
  * Estimated position.
  *
- * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -3924,7 +3949,7 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
  *
  * Estimated velocity.
  *
- * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -3997,7 +4022,7 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  *
  * Estimated position relative to the point that mip_filter_relative_position_config sets.
  *
- * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -4070,7 +4095,7 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
  *
  * How the filter uses the position measurements of one GNSS receiver.
  *
- * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4302,7 +4327,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
  *
  * What the filter did with one kind of aiding measurement in the last measurement interval.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4524,7 +4549,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
  *
  * Heading that two GNSS antennas give.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4614,7 +4639,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
  *
  * Estimated error of a frame that mip_aiding_frame_config defines; it is corrected for.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */

@@ -2,6 +2,8 @@
  * @file
  *
  * GNSS commands (0x0E). Commands that describe and set up the internal GNSS receivers.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_GNSS_H
 #define MIP_GNSS_H
@@ -222,7 +224,8 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  * GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware
+ * > 1.0.10.
  *
  * A device accepts certain combinations only.
  *
@@ -649,9 +652,9 @@ static inline mip_error mip_gnss_rtk_config_response_encode_inline(
  *
  * Switches the communication with a connected RTK dongle on or off.
  *
- * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
- * by mip_gnss_rtk_dongle_config_response. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: write,
+ * read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -734,8 +737,8 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known only
- * from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+ * mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */

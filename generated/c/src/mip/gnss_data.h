@@ -619,7 +619,7 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -734,7 +734,7 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_ecef`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
@@ -823,7 +823,7 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -941,7 +941,7 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ecef`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-35.
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-35.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -1030,7 +1030,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  * Dilution of precision of the satellite geometry.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
@@ -1130,7 +1130,7 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
  * Coordinated universal time as the receiver knows it.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
@@ -1423,7 +1423,7 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
  * Type of the position fix and what it is based on.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
@@ -2039,7 +2039,7 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
  * Bias and drift of the receiver clock.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * It supersedes clock info.
  *
@@ -2139,7 +2139,7 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
  * Difference between GPS time and UTC.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
@@ -2216,7 +2216,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  * Status of the satellite based augmentation.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2444,9 +2445,9 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * No device is certain to support it. Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET,
- * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
  * there and leaves its flag clear.
@@ -2642,7 +2643,7 @@ static inline mip_error mip_gnss_data_heading_encode_inline(
  * Direction to one satellite, and its health.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -2957,7 +2958,8 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - mip-sdk-4: Base Station Info (0x81,0x30)
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
@@ -3073,7 +3075,8 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
  * Which corrections are received, and how old they are.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)

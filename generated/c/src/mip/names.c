@@ -117,6 +117,115 @@ static const struct mip_named_bits bits_cv7_continuous_bit[] = {
 const struct mip_names mip_names_cv7_continuous_bit = {
     name_cv7_continuous_bit, labels_cv7_continuous_bit, NULL, bits_cv7_continuous_bit, 42, 16};
 
+static const char name_cv7_inertial_bit[] = "cv7_inertial_continuous_built_in_test";
+static const char labels_cv7_inertial_bit[] = "system_clock_failure\0"
+                                              "power_fault\0"
+                                              "firmware_fault\0"
+                                              "timing_overload\0"
+                                              "buffer_overrun\0"
+                                              "imu_process_fault\0"
+                                              "imu_data_rate_mismatch\0"
+                                              "imu_overrun_dropped_data\0"
+                                              "imu_stuck\0"
+                                              "filter_process_fault\0"
+                                              "filter_dropped_data\0"
+                                              "filter_rate_mismatch\0"
+                                              "filter_stuck\0"
+                                              "imu_clock_fault\0"
+                                              "imu_comm_fault\0"
+                                              "imu_timing_overrun\0"
+                                              "imu_calibration_error_accel\0"
+                                              "imu_calibration_error_gyro\0"
+                                              "imu_calibration_error_mag\0"
+                                              "accel_general_fault\0"
+                                              "accel_over_range\0"
+                                              "accel_self_test_fail\0"
+                                              "gyro_general_fault\0"
+                                              "gyro_over_range\0"
+                                              "gyro_self_test_fail\0"
+                                              "mag_general_fault\0"
+                                              "mag_over_range\0"
+                                              "mag_self_test_fail\0"
+                                              "pressure_sensor_general_fault\0"
+                                              "pressure_sensor_over_range\0"
+                                              "pressure_sensor_self_test_fail\0"
+                                              "factory_bits_invalid\0"
+                                              "filter_fault\0"
+                                              "filter_timing_overrun\0"
+                                              "filter_timing_underrun";
+static const struct mip_named_bits bits_cv7_inertial_bit[] = {
+    {0, 1, NULL},  {1, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},  {6, 1, NULL},  {16, 1, NULL},
+    {17, 1, NULL}, {18, 1, NULL}, {19, 1, NULL}, {20, 1, NULL}, {21, 1, NULL}, {22, 1, NULL},
+    {23, 1, NULL}, {32, 1, NULL}, {33, 1, NULL}, {34, 1, NULL}, {36, 1, NULL}, {37, 1, NULL},
+    {38, 1, NULL}, {40, 1, NULL}, {41, 1, NULL}, {42, 1, NULL}, {44, 1, NULL}, {45, 1, NULL},
+    {46, 1, NULL}, {48, 1, NULL}, {49, 1, NULL}, {50, 1, NULL}, {52, 1, NULL}, {53, 1, NULL},
+    {54, 1, NULL}, {56, 1, NULL}, {64, 1, NULL}, {66, 1, NULL}, {67, 1, NULL},
+};
+const struct mip_names mip_names_cv7_inertial_bit = {
+    name_cv7_inertial_bit, labels_cv7_inertial_bit, NULL, bits_cv7_inertial_bit, 35, 16};
+
+static const char name_gq7_bit[] = "gq7_continuous_built_in_test";
+static const char labels_gq7_bit[] = "system_clock_failure\0"
+                                     "power_fault\0"
+                                     "firmware_fault\0"
+                                     "timing_overload\0"
+                                     "buffer_overrun\0"
+                                     "imu_ipc_fault\0"
+                                     "filter_ipc_fault\0"
+                                     "gnss_ipc_fault\0"
+                                     "imu_clock_fault\0"
+                                     "imu_comm_fault\0"
+                                     "imu_timing_overrun\0"
+                                     "imu_calibration_error_accel\0"
+                                     "imu_calibration_error_gyro\0"
+                                     "imu_calibration_error_mag\0"
+                                     "accel_general_fault\0"
+                                     "accel_over_range\0"
+                                     "accel_self_test_fail\0"
+                                     "gyro_general_fault\0"
+                                     "gyro_over_range\0"
+                                     "gyro_self_test_fail\0"
+                                     "mag_general_fault\0"
+                                     "mag_over_range\0"
+                                     "mag_self_test_fail\0"
+                                     "pressure_sensor_general_fault\0"
+                                     "pressure_sensor_over_range\0"
+                                     "pressure_sensor_self_test_fail\0"
+                                     "filter_clock_fault\0"
+                                     "filter_hardware_fault\0"
+                                     "filter_timing_overrun\0"
+                                     "filter_timing_underrun\0"
+                                     "filter_comm_error\0"
+                                     "gnss_clock_fault\0"
+                                     "gnss_hardware_fault\0"
+                                     "gnss_comm_error\0"
+                                     "gps_time_fault\0"
+                                     "gnss_timing_overrun\0"
+                                     "receiver_1_power_fault\0"
+                                     "receiver_1_fault\0"
+                                     "antenna_1_shorted\0"
+                                     "antenna_1_open\0"
+                                     "receiver_1_solution_fault\0"
+                                     "receiver_2_power_fault\0"
+                                     "receiver_2_fault\0"
+                                     "antenna_2_shorted\0"
+                                     "antenna_2_open\0"
+                                     "receiver_2_solution_fault\0"
+                                     "rtcm_comm_fault\0"
+                                     "rtk_dongle_fault";
+static const struct mip_named_bits bits_gq7_bit[] = {
+    {0, 1, NULL},   {1, 1, NULL},   {4, 1, NULL},   {5, 1, NULL},   {6, 1, NULL},   {16, 4, NULL},
+    {20, 4, NULL},  {24, 4, NULL},  {32, 1, NULL},  {33, 1, NULL},  {34, 1, NULL},  {36, 1, NULL},
+    {37, 1, NULL},  {38, 1, NULL},  {40, 1, NULL},  {41, 1, NULL},  {42, 1, NULL},  {44, 1, NULL},
+    {45, 1, NULL},  {46, 1, NULL},  {48, 1, NULL},  {49, 1, NULL},  {50, 1, NULL},  {52, 1, NULL},
+    {53, 1, NULL},  {54, 1, NULL},  {64, 1, NULL},  {65, 1, NULL},  {66, 1, NULL},  {67, 1, NULL},
+    {68, 4, NULL},  {96, 1, NULL},  {97, 1, NULL},  {98, 3, NULL},  {101, 1, NULL}, {102, 1, NULL},
+    {104, 1, NULL}, {105, 1, NULL}, {106, 1, NULL}, {107, 1, NULL}, {108, 1, NULL}, {109, 1, NULL},
+    {110, 1, NULL}, {111, 1, NULL}, {112, 1, NULL}, {113, 1, NULL}, {114, 1, NULL}, {115, 1, NULL},
+};
+const struct mip_names mip_names_gq7_bit = {
+    name_gq7_bit, labels_gq7_bit, NULL, bits_gq7_bit, 48, 16};
+
 static const char name_event_trigger_type[] = "event_trigger_type";
 static const char labels_event_trigger_type[] = "none\0"
                                                 "gpio\0"
@@ -2539,6 +2648,8 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gx5_built_in_test,
     &mip_names_cv7_built_in_test,
     &mip_names_cv7_continuous_bit,
+    &mip_names_cv7_inertial_bit,
+    &mip_names_gq7_bit,
     &mip_names_event_trigger_type,
     &mip_names_event_action_type,
     &mip_names_event_trigger_mode,

@@ -24,6 +24,10 @@ extern MIP_API const struct mip_names mip_names_gx5_built_in_test;
 extern MIP_API const struct mip_names mip_names_cv7_built_in_test;
 /** cv7_continuous_built_in_test */
 extern MIP_API const struct mip_names mip_names_cv7_continuous_bit;
+/** cv7_inertial_continuous_built_in_test */
+extern MIP_API const struct mip_names mip_names_cv7_inertial_bit;
+/** gq7_continuous_built_in_test */
+extern MIP_API const struct mip_names mip_names_gq7_bit;
 /** event_trigger_type */
 extern MIP_API const struct mip_names mip_names_event_trigger_type;
 /** event_action_type */

@@ -63,24 +63,34 @@ uint16_t mip_model_number(const char *text, size_t size) {
     return (uint16_t)(ends ? number : 0);
 }
 
-const struct mip_profile_field *mip_profile_supports(const struct mip_profile *profile,
-                                                     uint8_t descriptor_set, uint8_t descriptor) {
-    const struct mip_profile_field *f =
-        mip_profile_may_support(profile, descriptor_set, descriptor);
-    return f != NULL && f->evidence == NULL ? f : NULL;
-}
-
-const struct mip_profile_field *mip_profile_may_support(const struct mip_profile *profile,
-                                                        uint8_t descriptor_set,
-                                                        uint8_t descriptor) {
-    for (size_t i = 0; i < profile->field_count; i++) {
-        const struct mip_profile_field *f = &profile->fields[i];
+static const struct mip_profile_field *find_in(const struct mip_profile_field *fields, size_t count,
+                                               uint8_t descriptor_set, uint8_t descriptor) {
+    for (size_t i = 0; i < count; i++) {
+        const struct mip_profile_field *f = &fields[i];
         const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
         if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
             return f;
         }
     }
     return NULL;
+}
+
+const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
+                                                       uint8_t descriptor_set, uint8_t descriptor) {
+    const struct mip_profile_field *f =
+        find_in(profile->fields, profile->field_count, descriptor_set, descriptor);
+    return f != NULL
+               ? f
+               : find_in(profile->refuses, profile->refused_count, descriptor_set, descriptor);
+}
+
+enum mip_support mip_profile_support(const struct mip_profile *profile, uint8_t descriptor_set,
+                                     uint8_t descriptor) {
+    const struct mip_profile_field *f = mip_profile_find_field(profile, descriptor_set, descriptor);
+    if (f != NULL) {
+        return f->evidence->answer;
+    }
+    return profile->incomplete_count > 0 ? MIP_SUPPORT_UNKNOWN : MIP_SUPPORT_NO;
 }
 
 double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set) {

@@ -15,7 +15,27 @@
 extern "C" {
 #endif
 
-/** A command or a data field that a device supports. */
+/** Does a device have a command or a data field? */
+enum mip_support {
+    /** No source says anything of it, and the profile is not whole. */
+    MIP_SUPPORT_UNKNOWN = 0,
+    /** It does not. */
+    MIP_SUPPORT_NO = 1,
+    /** It probably does. */
+    MIP_SUPPORT_PROBABLE = 2,
+    /** It does. */
+    MIP_SUPPORT_YES = 3
+};
+
+/** Why a device is believed to have some fields, or not to have them. */
+struct mip_profile_evidence {
+    /** What it says of them. */
+    enum mip_support answer;
+    /** Why, in words. */
+    const char *why;
+};
+
+/** A command or a data field that a device has for certain or probably, or that it has not. */
 struct mip_profile_field {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
@@ -24,8 +44,8 @@ struct mip_profile_field {
     /** Letters of the function selectors that the device accepts: "WRSLD"; empty without selectors.
      */
     const char *functions;
-    /** Why the device is believed to support it; NULL if that is certain. */
-    const char *evidence;
+    /** How certain that is, and why; never NULL. */
+    const struct mip_profile_evidence *evidence;
 };
 
 /** How often a device samples the fields of a data set. */
@@ -46,8 +66,10 @@ struct mip_profile_port {
     uint8_t baud_rate_count;
     /** The baud rates that it can have; NULL if it has none. */
     const uint32_t *baud_rates;
-    /** "MIP, NMEA" */
-    const char *protocols;
+    /** The protocols that it receives: "MIP, NMEA". */
+    const char *receives;
+    /** The protocols that it sends. */
+    const char *sends;
 };
 
 /** A limit of a device: a number, and what it limits. */
@@ -106,6 +128,8 @@ struct mip_profile {
     uint8_t incomplete_count;
     /** Elements of `fields`. */
     uint16_t field_count;
+    /** Elements of `refuses`. */
+    uint16_t refused_count;
     /** Elements of `rates`. */
     uint8_t rate_count;
     /** Elements of `ports`. */
@@ -122,8 +146,10 @@ struct mip_profile {
     const char *const *also;
     /** Sentences on what is not known of it. If there are any, it may have more than is listed. */
     const char *const *incomplete;
-    /** What it supports, by descriptor set and descriptor. */
+    /** What it has for certain or probably, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
+    /** What it is known not to have. */
+    const struct mip_profile_field *refuses;
     /** How often it samples each data set. */
     const struct mip_profile_rate *rates;
     /** Its ports. */
@@ -157,15 +183,16 @@ MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
  */
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
-/** Does the device support a command or a data field? NULL if it is not known to. */
-MIP_API const struct mip_profile_field *mip_profile_supports(const struct mip_profile *profile,
-                                                             uint8_t descriptor_set,
-                                                             uint8_t descriptor);
+/** Does the device have a command or a data field? Of a whole profile, what it does not list is
+ * MIP_SUPPORT_NO. Shared fields are had in every data set. */
+MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
+                                             uint8_t descriptor_set, uint8_t descriptor);
 
-/** The same, even if it is not certain: `evidence` says why it is believed. */
-MIP_API const struct mip_profile_field *mip_profile_may_support(const struct mip_profile *profile,
-                                                                uint8_t descriptor_set,
-                                                                uint8_t descriptor);
+/** What the profile says of a command or a data field: its `evidence` says how certain it is, and
+ * why. NULL if it says nothing. */
+MIP_API const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
+                                                               uint8_t descriptor_set,
+                                                               uint8_t descriptor);
 
 /** The base rate of a data set in Hz: 0 if data is sent as it arrives, negative if it has none. */
 MIP_API double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set);

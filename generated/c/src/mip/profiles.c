@@ -10,17 +10,55 @@ static const char *const cl5_10_also[] = {
 };
 
 static const char *const cl5_10_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cl5_10_evidence_1[] = "The vendor's software requests it from every device.";
+static const struct mip_profile_evidence cl5_10_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+};
 
 static const struct mip_profile_field cl5_10_fields[] = {
-    {0x01, 0x01, "", cl5_10_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", cl5_10_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", cl5_10_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", cl5_10_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_10_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", &cl5_10_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cl5_10_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cl5_10_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cl5_10_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cl5_10_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cl5_10_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cl5_10_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cl5_10_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cl5_10_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cl5_10_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &cl5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cl5_10_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cl5_10_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cl5_10_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cl5_10_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cl5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cl5_10_evidence[1]},       /* 3dm.device_status */
+    {0x80, 0x04, "", &cl5_10_evidence[0]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cl5_10_evidence[0]},       /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cl5_10_evidence[1]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cl5_10_evidence[1]},       /* sensor.delta_velocity */
+    {0x80, 0x12, "", &cl5_10_evidence[1]},       /* sensor.gps_timestamp */
+};
+
+static const struct mip_profile_note cl5_10_notes[] = {
+    {"device_status", "Device status",
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_imu_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_profile_reading cl5_10_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
 const struct mip_profile mip_profile_cl5_10 = {
@@ -32,12 +70,13 @@ const struct mip_profile mip_profile_cl5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    27,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    0,    /* notes */
-    0,    /* readings */
+    1,    /* notes */
+    3,    /* readings */
     0,    /* acknowledge codes */
     cl5_10_also,
     cl5_10_incomplete,
@@ -46,7 +85,8 @@ const struct mip_profile mip_profile_cl5_10 = {
     NULL,
     NULL,
     NULL,
-    NULL,
+    cl5_10_notes,
+    cl5_10_readings,
     NULL,
 };
 
@@ -57,26 +97,89 @@ static const char *const cl5_15_also[] = {
 };
 
 static const char *const cl5_15_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cl5_15_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cl5_15_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cl5_15_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cl5_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+};
 
 static const struct mip_profile_field cl5_15_fields[] = {
-    {0x01, 0x01, "", cl5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cl5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cl5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cl5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cl5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cl5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cl5_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_15_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_15_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &cl5_15_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cl5_15_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cl5_15_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cl5_15_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cl5_15_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cl5_15_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cl5_15_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cl5_15_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cl5_15_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cl5_15_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cl5_15_evidence[1]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cl5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cl5_15_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cl5_15_evidence[1]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cl5_15_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cl5_15_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cl5_15_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cl5_15_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cl5_15_evidence[1]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cl5_15_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cl5_15_evidence[1]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cl5_15_evidence[1]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cl5_15_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cl5_15_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cl5_15_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cl5_15_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cl5_15_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cl5_15_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cl5_15_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cl5_15_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cl5_15_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cl5_15_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cl5_15_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cl5_15_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cl5_15_evidence[1]},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD", &cl5_15_evidence[1]},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD", &cl5_15_evidence[1]},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD",
+     &cl5_15_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", &cl5_15_evidence[1]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cl5_15_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cl5_15_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cl5_15_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cl5_15_evidence[1]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cl5_15_evidence[1]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cl5_15_evidence[1]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cl5_15_evidence[1]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cl5_15_evidence[1]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cl5_15_evidence[1]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cl5_15_evidence[1]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cl5_15_evidence[1]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cl5_15_evidence[1]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cl5_15_evidence[1]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cl5_15_evidence[1]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cl5_15_evidence[1]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cl5_15_evidence[1]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cl5_15_evidence[1]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cl5_15_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cl5_15_evidence[1]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cl5_15_evidence[1]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cl5_15_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cl5_15_evidence[1]},      /* filter_data.status */
+    {0x82, 0x11, "", &cl5_15_evidence[1]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cl5_15_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cl5_15_evidence[1]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cl5_15_evidence[1]},      /* filter_data.heading_update_state */
+    {0x82, 0x1C, "", &cl5_15_evidence[1]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cl5_15_evidence[1]},      /* filter_data.pressure_altitude */
 };
 
 static const struct mip_profile_note cl5_15_notes[] = {
@@ -87,8 +190,12 @@ static const struct mip_profile_note cl5_15_notes[] = {
 };
 
 static const struct mip_profile_reading cl5_15_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cl5_15 = {
@@ -100,16 +207,18 @@ const struct mip_profile mip_profile_cl5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    10,   /* fields */
+    73,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cl5_15_also,
     cl5_15_incomplete,
     cl5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -125,25 +234,108 @@ static const char *const cl5_25_also[] = {
 };
 
 static const char *const cl5_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cl5_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cl5_25_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cl5_25_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cl5_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+};
 
 static const struct mip_profile_field cl5_25_fields[] = {
-    {0x01, 0x01, "", cl5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cl5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cl5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cl5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cl5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cl5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &cl5_25_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cl5_25_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cl5_25_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cl5_25_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cl5_25_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cl5_25_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cl5_25_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cl5_25_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cl5_25_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cl5_25_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cl5_25_evidence[1]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cl5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cl5_25_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cl5_25_evidence[1]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cl5_25_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cl5_25_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cl5_25_evidence[1]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cl5_25_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cl5_25_evidence[1]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cl5_25_evidence[1]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cl5_25_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cl5_25_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cl5_25_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cl5_25_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cl5_25_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cl5_25_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cl5_25_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cl5_25_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cl5_25_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cl5_25_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cl5_25_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cl5_25_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cl5_25_evidence[1]},  /* filter.reference_position */
+    {0x0D, 0x27, "WS", &cl5_25_evidence[1]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &cl5_25_evidence[1]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &cl5_25_evidence[1]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &cl5_25_evidence[1]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &cl5_25_evidence[1]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x41, "WRSLD", &cl5_25_evidence[1]},  /* filter.enable_measurements */
+    {0x0D, 0x42, "WRSLD", &cl5_25_evidence[1]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &cl5_25_evidence[1]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &cl5_25_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &cl5_25_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &cl5_25_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &cl5_25_evidence[1]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &cl5_25_evidence[1]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cl5_25_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cl5_25_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cl5_25_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cl5_25_evidence[1]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cl5_25_evidence[1]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cl5_25_evidence[1]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cl5_25_evidence[1]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cl5_25_evidence[1]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cl5_25_evidence[1]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cl5_25_evidence[1]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cl5_25_evidence[1]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cl5_25_evidence[1]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cl5_25_evidence[1]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cl5_25_evidence[1]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cl5_25_evidence[1]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cl5_25_evidence[1]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cl5_25_evidence[1]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cl5_25_evidence[1]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cl5_25_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cl5_25_evidence[1]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cl5_25_evidence[1]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cl5_25_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cl5_25_evidence[1]},      /* filter_data.status */
+    {0x82, 0x11, "", &cl5_25_evidence[1]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cl5_25_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cl5_25_evidence[1]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cl5_25_evidence[1]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &cl5_25_evidence[1]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cl5_25_evidence[1]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cl5_25_evidence[1]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &cl5_25_evidence[1]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &cl5_25_evidence[1]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &cl5_25_evidence[1]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &cl5_25_evidence[1]},      /* filter_data.mag_matrix_uncertainty */
 };
 
 static const struct mip_profile_note cl5_25_notes[] = {
@@ -154,8 +346,12 @@ static const struct mip_profile_note cl5_25_notes[] = {
 };
 
 static const struct mip_profile_reading cl5_25_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cl5_25 = {
@@ -167,16 +363,18 @@ const struct mip_profile mip_profile_cl5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    9,    /* fields */
+    90,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cl5_25_also,
     cl5_25_incomplete,
     cl5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -192,24 +390,47 @@ static const char *const cv5_10_also[] = {
 };
 
 static const char *const cv5_10_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (8500-0070) is not known.",
 };
 
-static const char cv5_10_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv5_10_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cv5_10_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cv5_10_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 145)."},
+};
 
 static const struct mip_profile_field cv5_10_fields[] = {
-    {0x01, 0x01, "", cv5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cv5_10_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cv5_10_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cv5_10_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cv5_10_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv5_10_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv5_10_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cv5_10_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cv5_10_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv5_10_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cv5_10_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &cv5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cv5_10_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cv5_10_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cv5_10_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cv5_10_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cv5_10_evidence[1]},       /* 3dm.device_status */
+    {0x80, 0x04, "", &cv5_10_evidence[0]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv5_10_evidence[0]},       /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cv5_10_evidence[1]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv5_10_evidence[1]},       /* sensor.delta_velocity */
+    {0x80, 0x12, "", &cv5_10_evidence[1]},       /* sensor.gps_timestamp */
+};
+
+static const struct mip_profile_field cv5_10_refuses[] = {
+    {0x80, 0x01, "", &cv5_10_evidence[2]}, /* sensor.raw_accel */
 };
 
 static const struct mip_profile_note cv5_10_notes[] = {
@@ -220,6 +441,7 @@ static const struct mip_profile_note cv5_10_notes[] = {
 };
 
 static const struct mip_profile_reading cv5_10_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
@@ -233,16 +455,18 @@ const struct mip_profile mip_profile_cv5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    8,    /* fields */
+    27,   /* fields */
+    1,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
     cv5_10_also,
     cv5_10_incomplete,
     cv5_10_fields,
+    cv5_10_refuses,
     NULL,
     NULL,
     NULL,
@@ -258,26 +482,93 @@ static const char *const cv5_15_also[] = {
 };
 
 static const char *const cv5_15_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cv5_15_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv5_15_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cv5_15_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cv5_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+};
 
 static const struct mip_profile_field cv5_15_fields[] = {
-    {0x01, 0x01, "", cv5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_15_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_15_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &cv5_15_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cv5_15_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cv5_15_evidence[1]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cv5_15_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv5_15_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv5_15_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cv5_15_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cv5_15_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv5_15_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cv5_15_evidence[3]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cv5_15_evidence[3]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cv5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cv5_15_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cv5_15_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cv5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cv5_15_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cv5_15_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cv5_15_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cv5_15_evidence[3]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cv5_15_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cv5_15_evidence[3]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cv5_15_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cv5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cv5_15_evidence[3]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cv5_15_evidence[3]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cv5_15_evidence[3]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cv5_15_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cv5_15_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv5_15_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cv5_15_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cv5_15_evidence[3]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cv5_15_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cv5_15_evidence[3]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cv5_15_evidence[3]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cv5_15_evidence[3]},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD", &cv5_15_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD", &cv5_15_evidence[3]},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD",
+     &cv5_15_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", &cv5_15_evidence[3]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cv5_15_evidence[3]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cv5_15_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv5_15_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cv5_15_evidence[3]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv5_15_evidence[3]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv5_15_evidence[3]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv5_15_evidence[3]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv5_15_evidence[3]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cv5_15_evidence[3]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cv5_15_evidence[3]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cv5_15_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cv5_15_evidence[3]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cv5_15_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv5_15_evidence[3]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv5_15_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv5_15_evidence[3]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cv5_15_evidence[3]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv5_15_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cv5_15_evidence[3]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv5_15_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cv5_15_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cv5_15_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &cv5_15_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cv5_15_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv5_15_evidence[3]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cv5_15_evidence[3]},      /* filter_data.heading_update_state */
+    {0x82, 0x1C, "", &cv5_15_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv5_15_evidence[3]},      /* filter_data.pressure_altitude */
 };
 
 static const struct mip_profile_note cv5_15_notes[] = {
@@ -288,8 +579,12 @@ static const struct mip_profile_note cv5_15_notes[] = {
 };
 
 static const struct mip_profile_reading cv5_15_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cv5_15 = {
@@ -301,16 +596,18 @@ const struct mip_profile mip_profile_cv5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    10,   /* fields */
+    73,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cv5_15_also,
     cv5_15_incomplete,
     cv5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -326,25 +623,112 @@ static const char *const cv5_25_also[] = {
 };
 
 static const char *const cv5_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cv5_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv5_25_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cv5_25_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cv5_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+};
 
 static const struct mip_profile_field cv5_25_fields[] = {
-    {0x01, 0x01, "", cv5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cv5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &cv5_25_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cv5_25_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cv5_25_evidence[1]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cv5_25_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv5_25_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv5_25_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cv5_25_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cv5_25_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv5_25_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cv5_25_evidence[3]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cv5_25_evidence[3]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cv5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cv5_25_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cv5_25_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cv5_25_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cv5_25_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv5_25_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cv5_25_evidence[3]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cv5_25_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cv5_25_evidence[3]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cv5_25_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cv5_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cv5_25_evidence[3]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cv5_25_evidence[3]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cv5_25_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cv5_25_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cv5_25_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv5_25_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cv5_25_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cv5_25_evidence[3]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cv5_25_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cv5_25_evidence[3]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cv5_25_evidence[3]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cv5_25_evidence[3]},  /* filter.reference_position */
+    {0x0D, 0x27, "WS", &cv5_25_evidence[3]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &cv5_25_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &cv5_25_evidence[3]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &cv5_25_evidence[3]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &cv5_25_evidence[3]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x41, "WRSLD", &cv5_25_evidence[3]},  /* filter.enable_measurements */
+    {0x0D, 0x42, "WRSLD", &cv5_25_evidence[3]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &cv5_25_evidence[3]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &cv5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &cv5_25_evidence[3]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &cv5_25_evidence[3]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &cv5_25_evidence[3]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &cv5_25_evidence[3]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cv5_25_evidence[3]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cv5_25_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv5_25_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv5_25_evidence[3]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv5_25_evidence[3]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv5_25_evidence[3]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv5_25_evidence[3]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv5_25_evidence[3]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv5_25_evidence[3]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cv5_25_evidence[3]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cv5_25_evidence[3]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cv5_25_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cv5_25_evidence[3]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cv5_25_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv5_25_evidence[3]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv5_25_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv5_25_evidence[3]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cv5_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv5_25_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cv5_25_evidence[3]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv5_25_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cv5_25_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cv5_25_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &cv5_25_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cv5_25_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv5_25_evidence[3]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cv5_25_evidence[3]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &cv5_25_evidence[3]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cv5_25_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv5_25_evidence[3]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &cv5_25_evidence[3]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &cv5_25_evidence[3]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &cv5_25_evidence[3]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &cv5_25_evidence[3]},      /* filter_data.mag_matrix_uncertainty */
 };
 
 static const struct mip_profile_note cv5_25_notes[] = {
@@ -355,8 +739,12 @@ static const struct mip_profile_note cv5_25_notes[] = {
 };
 
 static const struct mip_profile_reading cv5_25_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cv5_25 = {
@@ -368,16 +756,18 @@ const struct mip_profile mip_profile_cv5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    9,    /* fields */
+    90,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cv5_25_also,
     cv5_25_incomplete,
     cv5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -386,45 +776,329 @@ const struct mip_profile mip_profile_cv5_25 = {
     NULL,
 };
 
+/* 3DM-CV5-45. */
+
+static const char *const cv5_45_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence cv5_45_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+};
+
+static const struct mip_profile_field cv5_45_fields[] = {
+    {0x01, 0x01, "", &cv5_45_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cv5_45_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cv5_45_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cv5_45_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv5_45_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv5_45_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cv5_45_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cv5_45_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv5_45_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cv5_45_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &cv5_45_evidence[1]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &cv5_45_evidence[1]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cv5_45_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &cv5_45_evidence[1]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &cv5_45_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cv5_45_evidence[1]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", &cv5_45_evidence[1]},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", &cv5_45_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv5_45_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cv5_45_evidence[1]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cv5_45_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cv5_45_evidence[1]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cv5_45_evidence[1]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &cv5_45_evidence[1]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &cv5_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &cv5_45_evidence[1]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &cv5_45_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &cv5_45_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &cv5_45_evidence[1]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &cv5_45_evidence[1]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &cv5_45_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cv5_45_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cv5_45_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv5_45_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &cv5_45_evidence[1]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &cv5_45_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &cv5_45_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cv5_45_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &cv5_45_evidence[1]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &cv5_45_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x27, "WS", &cv5_45_evidence[1]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &cv5_45_evidence[1]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &cv5_45_evidence[1]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &cv5_45_evidence[1]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &cv5_45_evidence[1]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x42, "WRSLD", &cv5_45_evidence[1]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &cv5_45_evidence[1]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &cv5_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &cv5_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &cv5_45_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &cv5_45_evidence[1]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &cv5_45_evidence[1]}, /* filter.pitch_roll_aiding */
+    {0x0D, 0x53, "WRSLD", &cv5_45_evidence[1]}, /* filter.adaptive_filter_options */
+    {0x7F, 0x10, "WRSLD", &cv5_45_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cv5_45_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv5_45_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv5_45_evidence[1]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv5_45_evidence[1]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv5_45_evidence[1]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv5_45_evidence[1]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv5_45_evidence[1]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv5_45_evidence[1]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cv5_45_evidence[1]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cv5_45_evidence[1]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cv5_45_evidence[1]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cv5_45_evidence[1]},      /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &cv5_45_evidence[1]},      /* gnss_data.llh_position */
+    {0x81, 0x04, "", &cv5_45_evidence[1]},      /* gnss_data.ecef_position */
+    {0x81, 0x05, "", &cv5_45_evidence[1]},      /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", &cv5_45_evidence[1]},      /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", &cv5_45_evidence[1]},      /* gnss_data.dop */
+    {0x81, 0x08, "", &cv5_45_evidence[1]},      /* gnss_data.utc_time */
+    {0x81, 0x09, "", &cv5_45_evidence[1]},      /* gnss_data.gps_time */
+    {0x81, 0x0A, "", &cv5_45_evidence[1]},      /* gnss_data.clock_info */
+    {0x81, 0x0B, "", &cv5_45_evidence[1]},      /* gnss_data.fix_info */
+    {0x81, 0x0C, "", &cv5_45_evidence[1]},      /* gnss_data.sv_info */
+    {0x81, 0x0D, "", &cv5_45_evidence[1]},      /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", &cv5_45_evidence[1]},      /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", &cv5_45_evidence[1]},      /* gnss_data.dgps_channel */
+    {0x82, 0x01, "", &cv5_45_evidence[2]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &cv5_45_evidence[2]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &cv5_45_evidence[2]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv5_45_evidence[1]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv5_45_evidence[1]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv5_45_evidence[2]},      /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &cv5_45_evidence[2]},      /* filter_data.accel_bias */
+    {0x82, 0x08, "", &cv5_45_evidence[2]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &cv5_45_evidence[2]},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &cv5_45_evidence[2]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv5_45_evidence[2]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &cv5_45_evidence[2]},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &cv5_45_evidence[2]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv5_45_evidence[1]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cv5_45_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cv5_45_evidence[2]},      /* filter_data.status */
+    {0x82, 0x11, "", &cv5_45_evidence[2]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cv5_45_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv5_45_evidence[2]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cv5_45_evidence[1]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &cv5_45_evidence[2]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cv5_45_evidence[2]},      /* filter_data.comp_accel */
+    {0x82, 0x20, "", &cv5_45_evidence[2]},      /* filter_data.standard_atmosphere */
+    {0x82, 0x21, "", &cv5_45_evidence[2]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &cv5_45_evidence[2]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &cv5_45_evidence[2]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &cv5_45_evidence[2]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &cv5_45_evidence[2]},      /* filter_data.mag_matrix_uncertainty */
+};
+
+static const struct mip_profile_note cv5_45_notes[] = {
+    {"device_status", "Device status",
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_profile_reading cv5_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
+};
+
+const struct mip_profile mip_profile_cv5_45 = {
+    "3dm-cv5-45",
+    "3DM-CV5-45",
+    "",
+    "Inertial navigation system with GNSS.",
+    6256, /* model number */
+    5,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    124,  /* fields */
+    0,    /* refused fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    5,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cv5_45_incomplete,
+    cv5_45_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    cv5_45_notes,
+    cv5_45_readings,
+    NULL,
+};
+
 /* 3DM-CV7-AHRS. */
 
 static const char *const cv7_ahrs_incomplete[] = {
     "Only some pages of the manual are known, so it has more commands and data.",
-    "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ahrs_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv7_ahrs_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cv7_ahrs_evidence_3[] =
-    "The manual says which filter command each firmware version has.";
+static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Protocol Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
+                      "pages, linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
+                      "pages, linked by a public program)."},
+    {MIP_SUPPORT_YES,
+     "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (Public programs of users: Program for a 3DM-CV7)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_NO,
+     "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257)."},
+    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 350)."},
+};
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
-    {0x01, 0x01, "", cv7_ahrs_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv7_ahrs_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv7_ahrs_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ahrs_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ahrs_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", NULL},                /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                     /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                     /* filter.reset */
-    {0x0D, 0x03, "", NULL},                     /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL},                /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_2}, /* filter.aiding_measurement_enable */
-    {0x13, 0x01, "WRSLD", NULL},                /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},                /* aiding.echo_control */
-    {0x13, 0x31, "", NULL},                     /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                     /* aiding.magnetic_field */
-    {0x80, 0x04, "", NULL},                     /* sensor.scaled_accel */
-    {0x82, 0x06, "", NULL},                     /* filter_data.gyro_bias */
+    {0x01, 0x01, "", &cv7_ahrs_evidence[5]},        /* base.ping */
+    {0x01, 0x02, "", &cv7_ahrs_evidence[5]},        /* base.set_idle */
+    {0x01, 0x03, "", &cv7_ahrs_evidence[6]},        /* base.get_device_info */
+    {0x01, 0x04, "", &cv7_ahrs_evidence[0]},        /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv7_ahrs_evidence[7]},        /* base.built_in_test */
+    {0x01, 0x06, "", &cv7_ahrs_evidence[5]},        /* base.resume */
+    {0x01, 0x07, "", &cv7_ahrs_evidence[0]},        /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cv7_ahrs_evidence[11]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cv7_ahrs_evidence[0]},   /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cv7_ahrs_evidence[11]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv7_ahrs_evidence[11]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &cv7_ahrs_evidence[11]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cv7_ahrs_evidence[0]},        /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.message_format */
+    {0x0C, 0x10, "", &cv7_ahrs_evidence[11]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cv7_ahrs_evidence[8]},   /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cv7_ahrs_evidence[5]},     /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cv7_ahrs_evidence[11]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv7_ahrs_evidence[1]},        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cv7_ahrs_evidence[11]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cv7_ahrs_evidence[0]},   /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cv7_ahrs_evidence[9]},   /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cv7_ahrs_evidence[0]},   /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cv7_ahrs_evidence[1]},        /* filter.reset */
+    {0x0D, 0x03, "", &cv7_ahrs_evidence[1]},        /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cv7_ahrs_evidence[1]},   /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cv7_ahrs_evidence[3]},   /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &cv7_ahrs_evidence[8]},   /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &cv7_ahrs_evidence[1]},   /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cv7_ahrs_evidence[1]},   /* aiding.echo_control */
+    {0x13, 0x31, "", &cv7_ahrs_evidence[1]},        /* aiding.true_heading */
+    {0x13, 0x32, "", &cv7_ahrs_evidence[1]},        /* aiding.magnetic_field */
+    {0x80, 0x04, "", &cv7_ahrs_evidence[1]},        /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv7_ahrs_evidence[3]},        /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv7_ahrs_evidence[0]},        /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv7_ahrs_evidence[11]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv7_ahrs_evidence[11]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv7_ahrs_evidence[10]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv7_ahrs_evidence[3]},        /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv7_ahrs_evidence[10]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cv7_ahrs_evidence[11]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cv7_ahrs_evidence[0]},        /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cv7_ahrs_evidence[2]},        /* sensor.overrange_status */
+    {0x82, 0x03, "", &cv7_ahrs_evidence[3]},        /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv7_ahrs_evidence[3]},        /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv7_ahrs_evidence[3]},        /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv7_ahrs_evidence[1]},        /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cv7_ahrs_evidence[9]},        /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv7_ahrs_evidence[10]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cv7_ahrs_evidence[3]},        /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv7_ahrs_evidence[3]},        /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cv7_ahrs_evidence[3]},        /* filter_data.status */
+    {0x82, 0x12, "", &cv7_ahrs_evidence[10]}, /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv7_ahrs_evidence[3]},  /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &cv7_ahrs_evidence[0]},  /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv7_ahrs_evidence[10]}, /* filter_data.pressure_altitude */
+    {0x82, 0x50, "", &cv7_ahrs_evidence[4]},  /* filter_data.aiding_frame_config_error */
+    {0xA0, 0x01, "", &cv7_ahrs_evidence[11]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cv7_ahrs_evidence[2]},  /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cv7_ahrs_evidence[10]}, /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cv7_ahrs_evidence[2]},  /* shared.event_source */
+    {0xFF, 0xD3, "", &cv7_ahrs_evidence[2]},  /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cv7_ahrs_evidence[11]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &cv7_ahrs_evidence[10]}, /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cv7_ahrs_evidence[11]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cv7_ahrs_evidence[10]}, /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cv7_ahrs_evidence[11]}, /* shared.external_time_delta */
+};
+
+static const struct mip_profile_field cv7_ahrs_refuses[] = {
+    {0x81, 0x03, "", &cv7_ahrs_evidence[12]}, /* gnss_data.llh_position */
+    {0x81, 0x0B, "", &cv7_ahrs_evidence[12]}, /* gnss_data.fix_info */
+    {0x82, 0x34, "", &cv7_ahrs_evidence[12]}, /* filter_data.multi_antenna_offset_correction */
+    {0x82, 0x43, "", &cv7_ahrs_evidence[12]}, /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x49, "", &cv7_ahrs_evidence[13]}, /* filter_data.gnss_dual_antenna_status */
+    {0x91, 0x03, "", &cv7_ahrs_evidence[12]}, /* gnss_1.llh_position */
+    {0x91, 0x0B, "", &cv7_ahrs_evidence[12]}, /* gnss_1.fix_info */
+    {0x91, 0x12, "", &cv7_ahrs_evidence[13]}, /* gnss_1.sbas_info */
+    {0x91, 0x14, "", &cv7_ahrs_evidence[13]}, /* gnss_1.rf_error_detection */
+    {0x92, 0x0B, "", &cv7_ahrs_evidence[13]}, /* gnss_2.fix_info */
+    {0x92, 0x12, "", &cv7_ahrs_evidence[13]}, /* gnss_2.sbas_info */
+    {0x92, 0x14, "", &cv7_ahrs_evidence[13]}, /* gnss_2.rf_error_detection */
 };
 
 static const struct mip_profile_rate cv7_ahrs_rates[] = {
@@ -435,11 +1109,17 @@ static const struct mip_profile_rate cv7_ahrs_rates[] = {
 
 static const uint32_t cv7_ahrs_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
+static const uint32_t cv7_ahrs_baud_rates_2[] = {115200, 230400, 460800, 921600};
+
 static const struct mip_profile_port cv7_ahrs_ports[] = {
-    {"Main", 0x01, 4, cv7_ahrs_baud_rates_1, "MIP"},
+    {"Main", 0x01, 4, cv7_ahrs_baud_rates_1, "MIP", "MIP"},
+    {"UART 1", 0x11, 4, cv7_ahrs_baud_rates_2, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
 };
 
 static const struct mip_profile_limit cv7_ahrs_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
     {"event_triggers", 12, "", "Total number of triggers."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
@@ -458,15 +1138,46 @@ static const char *const cv7_ahrs_anti_aliasing_cells[] = {
     "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
 };
 
+static const char *const cv7_ahrs_gpio_pins_cells[] = {
+    "Pin",
+    "Connector pin",
+    "Features", /* heading */
+    "1",
+    "7",
+    "GPIO, PPS, timestamp", /* row 1 */
+    "2",
+    "9",
+    "GPIO, PPS, timestamp", /* row 2 */
+    "3",
+    "6",
+    "GPIO, PPS, timestamp", /* row 3 */
+    "4",
+    "10",
+    "GPIO, PPS, timestamp", /* row 4 */
+};
+
 static const struct mip_profile_note cv7_ahrs_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has "
-     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      cv7_ahrs_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or "
-     "timestamp events.",
-     NULL, 0, 0},
+     "Features of each pin, according to MSCL, and its place on the connector, according to the "
+     "ROS driver.",
+     cv7_ahrs_gpio_pins_cells, 5, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+};
+
+static const struct mip_profile_reading cv7_ahrs_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_cv7_ahrs = {
@@ -477,22 +1188,24 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     6286, /* model number */
     7,    /* generation */
     0,    /* other names */
-    2,    /* what is not known */
-    24,   /* fields */
+    1,    /* what is not known */
+    88,   /* fields */
+    12,   /* refused fields */
     3,    /* base rates */
-    1,    /* ports */
-    5,    /* limits */
-    2,    /* notes */
-    0,    /* readings */
+    3,    /* ports */
+    6,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     cv7_ahrs_incomplete,
     cv7_ahrs_fields,
+    cv7_ahrs_refuses,
     cv7_ahrs_rates,
     cv7_ahrs_ports,
     cv7_ahrs_limits,
     cv7_ahrs_notes,
-    NULL,
+    cv7_ahrs_readings,
     NULL,
 };
 
@@ -500,41 +1213,126 @@ const struct mip_profile mip_profile_cv7_ahrs = {
 
 static const char *const cv7_ar_incomplete[] = {
     "Only some pages of the manual are known, so it has more commands and data.",
-    "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ar_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv7_ar_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cv7_ar_evidence_3[] =
-    "The manual says which filter command each firmware version has.";
+static const struct mip_profile_evidence cv7_ar_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Protocol Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
+                      "pages, linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
+                      "pages, linked by a public program)."},
+    {MIP_SUPPORT_YES,
+     "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+    {MIP_SUPPORT_YES, "The device lists it (MicroStrain Communication Library: Issue 258)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 258)."},
+};
 
 static const struct mip_profile_field cv7_ar_fields[] = {
-    {0x01, 0x01, "", cv7_ar_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv7_ar_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv7_ar_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ar_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ar_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_2}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},              /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},              /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},              /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                   /* filter.reset */
-    {0x0D, 0x03, "", NULL},                   /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL},              /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_2}, /* filter.aiding_measurement_enable */
-    {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
-    {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                   /* aiding.magnetic_field */
-    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
-    {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
+    {0x01, 0x01, "", &cv7_ar_evidence[6]},        /* base.ping */
+    {0x01, 0x02, "", &cv7_ar_evidence[6]},        /* base.set_idle */
+    {0x01, 0x03, "", &cv7_ar_evidence[6]},        /* base.get_device_info */
+    {0x01, 0x04, "", &cv7_ar_evidence[0]},        /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv7_ar_evidence[10]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv7_ar_evidence[6]},        /* base.resume */
+    {0x01, 0x07, "", &cv7_ar_evidence[0]},        /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cv7_ar_evidence[5]},        /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cv7_ar_evidence[0]},   /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cv7_ar_evidence[10]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv7_ar_evidence[10]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &cv7_ar_evidence[10]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cv7_ar_evidence[0]},        /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.message_format */
+    {0x0C, 0x10, "", &cv7_ar_evidence[10]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cv7_ar_evidence[7]},   /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cv7_ar_evidence[6]},     /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cv7_ar_evidence[10]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv7_ar_evidence[1]},        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cv7_ar_evidence[10]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cv7_ar_evidence[0]},   /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cv7_ar_evidence[8]},   /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cv7_ar_evidence[10]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cv7_ar_evidence[0]},   /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cv7_ar_evidence[1]},        /* filter.reset */
+    {0x0D, 0x03, "", &cv7_ar_evidence[1]},        /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &cv7_ar_evidence[10]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &cv7_ar_evidence[10]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cv7_ar_evidence[1]},   /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cv7_ar_evidence[3]},   /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &cv7_ar_evidence[7]},   /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &cv7_ar_evidence[1]},   /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cv7_ar_evidence[1]},   /* aiding.echo_control */
+    {0x13, 0x31, "", &cv7_ar_evidence[1]},        /* aiding.true_heading */
+    {0x13, 0x32, "", &cv7_ar_evidence[1]},        /* aiding.magnetic_field */
+    {0x80, 0x04, "", &cv7_ar_evidence[1]},        /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv7_ar_evidence[3]},        /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv7_ar_evidence[0]},        /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv7_ar_evidence[10]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv7_ar_evidence[10]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv7_ar_evidence[9]},        /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv7_ar_evidence[3]},        /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv7_ar_evidence[9]},        /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cv7_ar_evidence[10]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cv7_ar_evidence[0]},        /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cv7_ar_evidence[2]},        /* sensor.overrange_status */
+    {0x82, 0x03, "", &cv7_ar_evidence[3]},        /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv7_ar_evidence[3]},        /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv7_ar_evidence[3]},        /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv7_ar_evidence[1]},        /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cv7_ar_evidence[8]},        /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv7_ar_evidence[9]},        /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cv7_ar_evidence[3]},        /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv7_ar_evidence[3]},        /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cv7_ar_evidence[3]},        /* filter_data.status */
+    {0x82, 0x12, "", &cv7_ar_evidence[9]},        /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv7_ar_evidence[3]},        /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &cv7_ar_evidence[0]},        /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv7_ar_evidence[9]},        /* filter_data.pressure_altitude */
+    {0x82, 0x50, "", &cv7_ar_evidence[4]},        /* filter_data.aiding_frame_config_error */
+    {0xA0, 0x01, "", &cv7_ar_evidence[5]},        /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cv7_ar_evidence[2]},        /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cv7_ar_evidence[5]},        /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cv7_ar_evidence[2]},        /* shared.event_source */
+    {0xFF, 0xD3, "", &cv7_ar_evidence[2]},        /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cv7_ar_evidence[5]},        /* shared.delta_time */
+    {0xFF, 0xD5, "", &cv7_ar_evidence[5]},        /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cv7_ar_evidence[5]},        /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cv7_ar_evidence[5]},        /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cv7_ar_evidence[5]},        /* shared.external_time_delta */
+};
+
+static const struct mip_profile_field cv7_ar_refuses[] = {
+    {0x0D, 0x19, "WRSLD", &cv7_ar_evidence[11]}, /* filter.auto_initialization_control */
+    {0x0D, 0x44, "WRSLD",
+     &cv7_ar_evidence[11]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[11]}, /* filter.pitch_roll_aiding */
 };
 
 static const struct mip_profile_rate cv7_ar_rates[] = {
@@ -545,11 +1343,17 @@ static const struct mip_profile_rate cv7_ar_rates[] = {
 
 static const uint32_t cv7_ar_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
+static const uint32_t cv7_ar_baud_rates_2[] = {115200, 230400, 460800, 921600};
+
 static const struct mip_profile_port cv7_ar_ports[] = {
-    {"Main", 0x01, 4, cv7_ar_baud_rates_1, "MIP"},
+    {"Main", 0x01, 4, cv7_ar_baud_rates_1, "MIP", "MIP"},
+    {"UART 1", 0x11, 4, cv7_ar_baud_rates_2, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
 };
 
 static const struct mip_profile_limit cv7_ar_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
     {"event_triggers", 12, "", "Total number of triggers."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
@@ -568,15 +1372,46 @@ static const char *const cv7_ar_anti_aliasing_cells[] = {
     "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
 };
 
+static const char *const cv7_ar_gpio_pins_cells[] = {
+    "Pin",
+    "Connector pin",
+    "Features", /* heading */
+    "1",
+    "7",
+    "GPIO, PPS, timestamp", /* row 1 */
+    "2",
+    "9",
+    "GPIO, PPS, timestamp", /* row 2 */
+    "3",
+    "6",
+    "GPIO, PPS, timestamp", /* row 3 */
+    "4",
+    "10",
+    "GPIO, PPS, timestamp", /* row 4 */
+};
+
 static const struct mip_profile_note cv7_ar_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has "
-     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      cv7_ar_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or "
-     "timestamp events.",
-     NULL, 0, 0},
+     "Features of each pin, according to MSCL, and its place on the connector, according to the "
+     "ROS driver.",
+     cv7_ar_gpio_pins_cells, 5, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+};
+
+static const struct mip_profile_reading cv7_ar_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_cv7_ar = {
@@ -587,214 +1422,222 @@ const struct mip_profile mip_profile_cv7_ar = {
     6287, /* model number */
     7,    /* generation */
     0,    /* other names */
-    2,    /* what is not known */
-    24,   /* fields */
+    1,    /* what is not known */
+    88,   /* fields */
+    3,    /* refused fields */
     3,    /* base rates */
-    1,    /* ports */
-    5,    /* limits */
-    2,    /* notes */
-    0,    /* readings */
+    3,    /* ports */
+    6,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     cv7_ar_incomplete,
     cv7_ar_fields,
+    cv7_ar_refuses,
     cv7_ar_rates,
     cv7_ar_ports,
     cv7_ar_limits,
     cv7_ar_notes,
-    NULL,
+    cv7_ar_readings,
     NULL,
 };
 
 /* 3DM-CV7-GNSS/INS. */
 
-static const char cv7_gnss_ins_evidence_1[] =
-    "The page on ports in the manual names it, but the list of commands does not.";
+static const struct mip_profile_evidence cv7_gnss_ins_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+};
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
-    {0x01, 0x01, "", NULL},                         /* base.ping */
-    {0x01, 0x02, "", NULL},                         /* base.set_idle */
-    {0x01, 0x03, "", NULL},                         /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                         /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                         /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                         /* base.resume */
-    {0x01, 0x07, "", NULL},                         /* base.get_extended_descriptors */
-    {0x01, 0x08, "", NULL},                         /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", NULL},                    /* base.comm_speed */
-    {0x01, 0x72, "W", NULL},                        /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                         /* base.soft_reset */
-    {0x0C, 0x04, "", NULL},                         /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", NULL},                    /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", NULL},                         /* 3dm.poll_data */
-    {0x0C, 0x0E, "", NULL},                         /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", NULL},                    /* 3dm.message_format */
-    {0x0C, 0x10, "", NULL},                         /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", NULL},                    /* 3dm.data_stream_control */
-    {0x0C, 0x22, "WRSLD", NULL},                    /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x28, "WRSLD", NULL},                    /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", NULL},                         /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", NULL},                    /* 3dm.event_control */
-    {0x0C, 0x2C, "", NULL},                         /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", NULL},                         /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", NULL},                    /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", NULL},                    /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", NULL},                      /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLD", NULL},                    /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD", NULL},                    /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                         /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                    /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                    /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x40, "WRSLD", NULL},                    /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD", NULL},                    /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", NULL},                       /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD", NULL},                    /* 3dm.odometer_config */
-    {0x0C, 0x50, "WRSLD", NULL},                    /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},                    /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", NULL},                    /* 3dm.sensor_range */
-    {0x0C, 0x53, "", NULL},                         /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", NULL},                    /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                         /* filter.reset */
-    {0x0D, 0x03, "", NULL},                         /* filter.set_initial_heading */
-    {0x0D, 0x05, "", NULL},                         /* filter.run */
-    {0x0D, 0x13, "WRSLD", NULL},                    /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", NULL},                    /* filter.gnss_source */
-    {0x0D, 0x17, "", NULL},                         /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", NULL},                    /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},                    /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", NULL},                    /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", NULL},                    /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", NULL},                         /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},                    /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", NULL},                    /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", NULL},                    /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", NULL},                    /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", NULL},                    /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", NULL},                    /* filter.adaptive_filter_options */
-    {0x0D, 0x54, "WRSLD", NULL},                    /* filter.multi_antenna_offset */
-    {0x0D, 0x55, "WRSLD", NULL},                    /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", NULL},                    /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD", NULL},                    /* filter.speed_lever_arm */
-    {0x0D, 0x63, "WRSLD", NULL},                    /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD", NULL},                    /* filter.gnss_antenna_calibration_control */
-    {0x0E, 0x01, "", NULL},                         /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD", NULL},                    /* gnss.signal_config */
-    {0x0E, 0x20, "WRSLD", NULL},                    /* gnss.spartn_config */
-    {0x13, 0x01, "WRSLD", NULL},                    /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},                    /* aiding.echo_control */
-    {0x13, 0x21, "", NULL},                         /* aiding.ecef_position */
-    {0x13, 0x22, "", NULL},                         /* aiding.llh_position */
-    {0x13, 0x23, "", NULL},                         /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", NULL},                         /* aiding.ecef_velocity */
-    {0x13, 0x29, "", NULL},                         /* aiding.ned_velocity */
-    {0x13, 0x2A, "", NULL},                         /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", NULL},                         /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                         /* aiding.magnetic_field */
-    {0x13, 0x33, "", NULL},                         /* aiding.pressure */
-    {0x7F, 0x02, "WRSLD", cv7_gnss_ins_evidence_1}, /* system.interface_control */
-    {0x80, 0x04, "", NULL},                         /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                         /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                         /* sensor.scaled_mag */
-    {0x80, 0x07, "", NULL},                         /* sensor.delta_theta */
-    {0x80, 0x08, "", NULL},                         /* sensor.delta_velocity */
-    {0x80, 0x09, "", NULL},                         /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", NULL},                         /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", NULL},                         /* sensor.comp_euler_angles */
-    {0x80, 0x12, "", NULL},                         /* sensor.gps_timestamp */
-    {0x80, 0x14, "", NULL},                         /* sensor.temperature_statistics */
-    {0x80, 0x17, "", NULL},                         /* sensor.scaled_pressure */
-    {0x80, 0x18, "", NULL},                         /* sensor.overrange_status */
-    {0x80, 0x40, "", NULL},                         /* sensor.odometer */
-    {0x82, 0x01, "", NULL},                         /* filter_data.llh_position */
-    {0x82, 0x02, "", NULL},                         /* filter_data.ned_velocity */
-    {0x82, 0x03, "", NULL},                         /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", NULL},                         /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},                         /* filter_data.euler_angles */
-    {0x82, 0x06, "", NULL},                         /* filter_data.gyro_bias */
-    {0x82, 0x07, "", NULL},                         /* filter_data.accel_bias */
-    {0x82, 0x08, "", NULL},                         /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", NULL},                         /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", NULL},                         /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", NULL},                         /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", NULL},                         /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", NULL},                         /* filter_data.linear_accel */
-    {0x82, 0x0E, "", NULL},                         /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", NULL},                         /* filter_data.status */
-    {0x82, 0x11, "", NULL},                         /* filter_data.timestamp */
-    {0x82, 0x12, "", NULL}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", NULL}, /* filter_data.gravity_vector */
-    {0x82, 0x15, "", NULL}, /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", NULL}, /* filter_data.comp_accel */
-    {0x82, 0x21, "", NULL}, /* filter_data.pressure_altitude */
-    {0x82, 0x34, "", NULL}, /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, "", NULL}, /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, "", NULL}, /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", NULL}, /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", NULL}, /* filter_data.ecef_position */
-    {0x82, 0x41, "", NULL}, /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", NULL}, /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", NULL}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", NULL}, /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, "", NULL}, /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, "", NULL}, /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, "", NULL}, /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, "", NULL}, /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "", NULL}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x91, 0x03, "", NULL}, /* gnss_1.llh_position */
-    {0x91, 0x04, "", NULL}, /* gnss_1.ecef_position */
-    {0x91, 0x05, "", NULL}, /* gnss_1.ned_velocity */
-    {0x91, 0x06, "", NULL}, /* gnss_1.ecef_velocity */
-    {0x91, 0x07, "", NULL}, /* gnss_1.dop */
-    {0x91, 0x08, "", NULL}, /* gnss_1.utc_time */
-    {0x91, 0x09, "", NULL}, /* gnss_1.gps_time */
-    {0x91, 0x0B, "", NULL}, /* gnss_1.fix_info */
-    {0x91, 0x0D, "", NULL}, /* gnss_1.hardware_status */
-    {0x91, 0x10, "", NULL}, /* gnss_1.clock_info_2 */
-    {0x91, 0x11, "", NULL}, /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, "", NULL}, /* gnss_1.sbas_info */
-    {0x91, 0x20, "", NULL}, /* gnss_1.satellite_status */
-    {0x91, 0x22, "", NULL}, /* gnss_1.raw */
-    {0x91, 0x61, "", NULL}, /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, "", NULL}, /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, "", NULL}, /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, "", NULL}, /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, "", NULL}, /* gnss_2.llh_position */
-    {0x92, 0x04, "", NULL}, /* gnss_2.ecef_position */
-    {0x92, 0x05, "", NULL}, /* gnss_2.ned_velocity */
-    {0x92, 0x06, "", NULL}, /* gnss_2.ecef_velocity */
-    {0x92, 0x07, "", NULL}, /* gnss_2.dop */
-    {0x92, 0x08, "", NULL}, /* gnss_2.utc_time */
-    {0x92, 0x09, "", NULL}, /* gnss_2.gps_time */
-    {0x92, 0x0B, "", NULL}, /* gnss_2.fix_info */
-    {0x92, 0x0D, "", NULL}, /* gnss_2.hardware_status */
-    {0x92, 0x10, "", NULL}, /* gnss_2.clock_info_2 */
-    {0x92, 0x11, "", NULL}, /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, "", NULL}, /* gnss_2.sbas_info */
-    {0x92, 0x20, "", NULL}, /* gnss_2.satellite_status */
-    {0x92, 0x22, "", NULL}, /* gnss_2.raw */
-    {0x92, 0x61, "", NULL}, /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, "", NULL}, /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, "", NULL}, /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, "", NULL}, /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, "", NULL}, /* gnss_corrections.base_station_info */
-    {0x93, 0x31, "", NULL}, /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, "", NULL}, /* gnss_external.llh_position */
-    {0x94, 0x05, "", NULL}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, "", NULL}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", NULL}, /* gnss_external.fix_info */
-    {0x94, 0x20, "", NULL}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", NULL}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", NULL}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", NULL}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", NULL}, /* shared.event_source */
-    {0xFF, 0xD3, "", NULL}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", NULL}, /* shared.delta_time */
-    {0xFF, 0xD5, "", NULL}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", NULL}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", NULL}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", NULL}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &cv7_gnss_ins_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* base.built_in_test */
+    {0x01, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* base.resume */
+    {0x01, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* base.comm_speed */
+    {0x01, 0x72, "W", &cv7_gnss_ins_evidence[0]},     /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv7_gnss_ins_evidence[0]},      /* base.soft_reset */
+    {0x0C, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.message_format */
+    {0x0C, 0x10, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.data_stream_control */
+    {0x0C, 0x22, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cv7_gnss_ins_evidence[0]},   /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD",
+     &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x40, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.uart_baud_rate */
+    {0x0C, 0x41, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cv7_gnss_ins_evidence[0]},    /* 3dm.gpio_state */
+    {0x0C, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.odometer_config */
+    {0x0C, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* filter.reset */
+    {0x0D, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* filter.set_initial_heading */
+    {0x0D, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* filter.run */
+    {0x0D, 0x13, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gnss_source */
+    {0x0D, 0x17, "", &cv7_gnss_ins_evidence[0]},      /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cv7_gnss_ins_evidence[0]},      /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.adaptive_filter_options */
+    {0x0D, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.multi_antenna_offset */
+    {0x0D, 0x55, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.reference_point_lever_arm */
+    {0x0D, 0x61, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.speed_lever_arm */
+    {0x0D, 0x63, "WRSLD",
+     &cv7_gnss_ins_evidence[0]}, /* filter.wheeled_vehicle_constraint_control */
+    {0x0D, 0x64, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gnss_antenna_calibration_control */
+    {0x0E, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* gnss.receiver_info */
+    {0x0E, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* gnss.signal_config */
+    {0x0E, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* gnss.spartn_config */
+    {0x13, 0x01, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* aiding.echo_control */
+    {0x13, 0x21, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ecef_position */
+    {0x13, 0x22, "", &cv7_gnss_ins_evidence[0]},      /* aiding.llh_position */
+    {0x13, 0x23, "", &cv7_gnss_ins_evidence[0]},      /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ecef_velocity */
+    {0x13, 0x29, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ned_velocity */
+    {0x13, 0x2A, "", &cv7_gnss_ins_evidence[0]},      /* aiding.body_frame_velocity */
+    {0x13, 0x31, "", &cv7_gnss_ins_evidence[0]},      /* aiding.true_heading */
+    {0x13, 0x32, "", &cv7_gnss_ins_evidence[0]},      /* aiding.magnetic_field */
+    {0x13, 0x33, "", &cv7_gnss_ins_evidence[0]},      /* aiding.pressure */
+    {0x7F, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* system.interface_control */
+    {0x80, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_euler_angles */
+    {0x80, 0x12, "", &cv7_gnss_ins_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x14, "", &cv7_gnss_ins_evidence[0]},      /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cv7_gnss_ins_evidence[0]},      /* sensor.overrange_status */
+    {0x80, 0x40, "", &cv7_gnss_ins_evidence[0]},      /* sensor.odometer */
+    {0x82, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.accel_bias */
+    {0x82, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gravity_vector */
+    {0x82, 0x15, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.pressure_altitude */
+    {0x82, 0x34, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.multi_antenna_offset_correction */
+    {0x82, 0x35, "",
+     &cv7_gnss_ins_evidence[0]}, /* filter_data.multi_antenna_offset_correction_uncertainty */
+    {0x82, 0x36, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_position */
+    {0x82, 0x41, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_measurement_summary */
+    {0x82, 0x47, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.odometer_scale_factor_error */
+    {0x82, 0x48, "",
+     &cv7_gnss_ins_evidence[0]}, /* filter_data.odometer_scale_factor_error_uncertainty */
+    {0x82, 0x49, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gnss_dual_antenna_status */
+    {0x82, 0x50, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, "",
+     &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x91, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.llh_position */
+    {0x91, 0x04, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ecef_position */
+    {0x91, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ned_velocity */
+    {0x91, 0x06, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ecef_velocity */
+    {0x91, 0x07, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.dop */
+    {0x91, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.utc_time */
+    {0x91, 0x09, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_time */
+    {0x91, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.fix_info */
+    {0x91, 0x0D, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.hardware_status */
+    {0x91, 0x10, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.clock_info_2 */
+    {0x91, 0x11, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_leap_seconds */
+    {0x91, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.sbas_info */
+    {0x91, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.satellite_status */
+    {0x91, 0x22, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.raw */
+    {0x91, 0x61, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_ephemeris */
+    {0x91, 0x62, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.glonass_ephemeris */
+    {0x91, 0x63, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.galileo_ephemeris */
+    {0x91, 0x64, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.beidou_ephemeris */
+    {0x92, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.llh_position */
+    {0x92, 0x04, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ecef_position */
+    {0x92, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ned_velocity */
+    {0x92, 0x06, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ecef_velocity */
+    {0x92, 0x07, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.dop */
+    {0x92, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.utc_time */
+    {0x92, 0x09, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_time */
+    {0x92, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.fix_info */
+    {0x92, 0x0D, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.hardware_status */
+    {0x92, 0x10, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.clock_info_2 */
+    {0x92, 0x11, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_leap_seconds */
+    {0x92, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.sbas_info */
+    {0x92, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.satellite_status */
+    {0x92, 0x22, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.raw */
+    {0x92, 0x61, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_ephemeris */
+    {0x92, 0x62, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.glonass_ephemeris */
+    {0x92, 0x63, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.galileo_ephemeris */
+    {0x92, 0x64, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.beidou_ephemeris */
+    {0x93, 0x30, "", &cv7_gnss_ins_evidence[0]}, /* gnss_corrections.base_station_info */
+    {0x93, 0x31, "", &cv7_gnss_ins_evidence[0]}, /* gnss_corrections.rtk_corrections_status */
+    {0x94, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.llh_position */
+    {0x94, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.ned_velocity */
+    {0x94, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.utc_time */
+    {0x94, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.fix_info */
+    {0x94, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.satellite_status */
+    {0xA0, 0x01, "", &cv7_gnss_ins_evidence[0]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cv7_gnss_ins_evidence[0]}, /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cv7_gnss_ins_evidence[0]}, /* shared.event_source */
+    {0xFF, 0xD3, "", &cv7_gnss_ins_evidence[0]}, /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cv7_gnss_ins_evidence[0]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &cv7_gnss_ins_evidence[0]}, /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cv7_gnss_ins_evidence[0]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cv7_gnss_ins_evidence[0]}, /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cv7_gnss_ins_evidence[0]}, /* shared.external_time_delta */
 };
 
 static const struct mip_profile_rate cv7_gnss_ins_rates[] = {
@@ -810,12 +1653,12 @@ static const uint32_t cv7_gnss_ins_baud_rates_3[] = {4800,   9600,   19200,  384
                                                      115200, 230400, 460800, 921600};
 
 static const struct mip_profile_port cv7_gnss_ins_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
-    {"UART 1", 0x11, 5, cv7_gnss_ins_baud_rates_1, "MIP, NMEA, RTCM, SPARTN"},
-    {"UART 2", 0x12, 9, cv7_gnss_ins_baud_rates_2, "MIP, NMEA, RTCM, SPARTN"},
-    {"UART 3", 0x13, 9, cv7_gnss_ins_baud_rates_3, "MIP, NMEA, RTCM, SPARTN"},
-    {"USB 1", 0x21, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
-    {"USB 2", 0x22, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
+    {"Main", 0x01, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
+    {"UART 1", 0x11, 5, cv7_gnss_ins_baud_rates_1, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
+    {"UART 2", 0x12, 9, cv7_gnss_ins_baud_rates_2, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
+    {"UART 3", 0x13, 9, cv7_gnss_ins_baud_rates_3, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
+    {"USB 1", 0x21, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
+    {"USB 2", 0x22, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
 };
 
 static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
@@ -1107,6 +1950,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     0,    /* other names */
     0,    /* what is not known */
     183,  /* fields */
+    0,    /* refused fields */
     7,    /* base rates */
     6,    /* ports */
     24,   /* limits */
@@ -1116,6 +1960,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     NULL,
     NULL,
     cv7_gnss_ins_fields,
+    NULL,
     cv7_gnss_ins_rates,
     cv7_gnss_ins_ports,
     cv7_gnss_ins_limits,
@@ -1131,38 +1976,221 @@ static const char *const cv7_ins_incomplete[] = {
     "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
 };
 
-static const char cv7_ins_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cv7_ins_evidence_2[] =
-    "A test site of the vendor lists it for this device; the firmware is not known.";
+static const struct mip_profile_evidence cv7_ins_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set "
+                      "0x94, on a test site)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
 
 static const struct mip_profile_field cv7_ins_fields[] = {
-    {0x01, 0x01, "", cv7_ins_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", cv7_ins_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", cv7_ins_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ins_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ins_evidence_1}, /* base.resume */
-    {0x0D, 0x13, "WRSLD", NULL},          /* filter.antenna_offset */
-    {0x0D, 0x20, "WRSLD", NULL},          /* filter.auto_angular_zupt */
-    {0x94, 0x03, "", cv7_ins_evidence_2}, /* gnss_external.llh_position */
-    {0x94, 0x04, "", cv7_ins_evidence_2}, /* gnss_external.ecef_position */
-    {0x94, 0x05, "", cv7_ins_evidence_2}, /* gnss_external.ned_velocity */
-    {0x94, 0x06, "", cv7_ins_evidence_2}, /* gnss_external.ecef_velocity */
-    {0x94, 0x07, "", cv7_ins_evidence_2}, /* gnss_external.dop */
-    {0x94, 0x08, "", cv7_ins_evidence_2}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", cv7_ins_evidence_2}, /* gnss_external.fix_info */
-    {0x94, 0x10, "", cv7_ins_evidence_2}, /* gnss_external.clock_info_2 */
-    {0x94, 0x11, "", cv7_ins_evidence_2}, /* gnss_external.gps_leap_seconds */
-    {0x94, 0x14, "", cv7_ins_evidence_2}, /* gnss_external.rf_error_detection */
-    {0x94, 0x20, "", cv7_ins_evidence_2}, /* gnss_external.satellite_status */
+    {0x01, 0x01, "", &cv7_ins_evidence[3]},        /* base.ping */
+    {0x01, 0x02, "", &cv7_ins_evidence[3]},        /* base.set_idle */
+    {0x01, 0x03, "", &cv7_ins_evidence[3]},        /* base.get_device_info */
+    {0x01, 0x04, "", &cv7_ins_evidence[5]},        /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cv7_ins_evidence[10]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cv7_ins_evidence[3]},        /* base.resume */
+    {0x01, 0x07, "", &cv7_ins_evidence[5]},        /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cv7_ins_evidence[10]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cv7_ins_evidence[6]},   /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cv7_ins_evidence[10]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cv7_ins_evidence[10]},       /* base.soft_reset */
+    {0x0C, 0x04, "", &cv7_ins_evidence[10]},       /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", &cv7_ins_evidence[10]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cv7_ins_evidence[3]},        /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cv7_ins_evidence[3]},   /* 3dm.message_format */
+    {0x0C, 0x10, "", &cv7_ins_evidence[10]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cv7_ins_evidence[6]},   /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cv7_ins_evidence[3]},     /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cv7_ins_evidence[3]},        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cv7_ins_evidence[6]},   /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cv7_ins_evidence[6]},      /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cv7_ins_evidence[10]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cv7_ins_evidence[3]},        /* filter.reset */
+    {0x0D, 0x03, "", &cv7_ins_evidence[10]},       /* filter.set_initial_heading */
+    {0x0D, 0x05, "", &cv7_ins_evidence[10]},       /* filter.run */
+    {0x0D, 0x13, "WRSLD", &cv7_ins_evidence[0]},   /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD", &cv7_ins_evidence[5]},   /* filter.gnss_source */
+    {0x0D, 0x17, "", &cv7_ins_evidence[10]},       /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", &cv7_ins_evidence[10]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &cv7_ins_evidence[10]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cv7_ins_evidence[10]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cv7_ins_evidence[0]},   /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cv7_ins_evidence[6]},   /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cv7_ins_evidence[3]},   /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", &cv7_ins_evidence[1]},   /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", &cv7_ins_evidence[7]},   /* filter.adaptive_filter_options */
+    {0x0D, 0x55, "WRSLD", &cv7_ins_evidence[6]},   /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", &cv7_ins_evidence[10]},  /* filter.reference_point_lever_arm */
+    {0x13, 0x01, "WRSLD", &cv7_ins_evidence[1]},   /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cv7_ins_evidence[10]},  /* aiding.echo_control */
+    {0x13, 0x21, "", &cv7_ins_evidence[10]},       /* aiding.ecef_position */
+    {0x13, 0x22, "", &cv7_ins_evidence[3]},        /* aiding.llh_position */
+    {0x13, 0x23, "", &cv7_ins_evidence[10]},       /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, "", &cv7_ins_evidence[10]},       /* aiding.ecef_velocity */
+    {0x13, 0x29, "", &cv7_ins_evidence[3]},        /* aiding.ned_velocity */
+    {0x13, 0x2A, "", &cv7_ins_evidence[3]},        /* aiding.body_frame_velocity */
+    {0x13, 0x31, "", &cv7_ins_evidence[3]},        /* aiding.true_heading */
+    {0x13, 0x32, "", &cv7_ins_evidence[10]},       /* aiding.magnetic_field */
+    {0x13, 0x33, "", &cv7_ins_evidence[10]},       /* aiding.pressure */
+    {0x80, 0x04, "", &cv7_ins_evidence[8]},        /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cv7_ins_evidence[8]},        /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cv7_ins_evidence[5]},        /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cv7_ins_evidence[10]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cv7_ins_evidence[10]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cv7_ins_evidence[9]},        /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cv7_ins_evidence[9]},        /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cv7_ins_evidence[9]},        /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cv7_ins_evidence[10]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cv7_ins_evidence[5]},        /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cv7_ins_evidence[10]},       /* sensor.overrange_status */
+    {0x82, 0x01, "", &cv7_ins_evidence[4]},        /* filter_data.llh_position */
+    {0x82, 0x02, "", &cv7_ins_evidence[4]},        /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &cv7_ins_evidence[5]},        /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cv7_ins_evidence[10]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cv7_ins_evidence[4]},        /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cv7_ins_evidence[9]},        /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &cv7_ins_evidence[9]},        /* filter_data.accel_bias */
+    {0x82, 0x08, "", &cv7_ins_evidence[5]},        /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &cv7_ins_evidence[5]},        /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &cv7_ins_evidence[5]},        /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cv7_ins_evidence[9]},        /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &cv7_ins_evidence[9]},        /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &cv7_ins_evidence[5]},        /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cv7_ins_evidence[5]},        /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cv7_ins_evidence[4]},        /* filter_data.status */
+    {0x82, 0x12, "", &cv7_ins_evidence[9]},        /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cv7_ins_evidence[9]},        /* filter_data.gravity_vector */
+    {0x82, 0x15, "", &cv7_ins_evidence[10]},       /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cv7_ins_evidence[9]},        /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cv7_ins_evidence[9]},        /* filter_data.pressure_altitude */
+    {0x82, 0x36, "", &cv7_ins_evidence[6]},        /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &cv7_ins_evidence[10]},       /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &cv7_ins_evidence[6]},        /* filter_data.ecef_position */
+    {0x82, 0x41, "", &cv7_ins_evidence[10]},       /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", &cv7_ins_evidence[6]},        /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", &cv7_ins_evidence[10]},       /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", &cv7_ins_evidence[6]},        /* filter_data.aiding_measurement_summary */
+    {0x82, 0x50, "", &cv7_ins_evidence[1]},        /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, "", &cv7_ins_evidence[10]}, /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x94, 0x03, "", &cv7_ins_evidence[2]},  /* gnss_external.llh_position */
+    {0x94, 0x04, "", &cv7_ins_evidence[2]},  /* gnss_external.ecef_position */
+    {0x94, 0x05, "", &cv7_ins_evidence[2]},  /* gnss_external.ned_velocity */
+    {0x94, 0x06, "", &cv7_ins_evidence[2]},  /* gnss_external.ecef_velocity */
+    {0x94, 0x07, "", &cv7_ins_evidence[2]},  /* gnss_external.dop */
+    {0x94, 0x08, "", &cv7_ins_evidence[2]},  /* gnss_external.utc_time */
+    {0x94, 0x0B, "", &cv7_ins_evidence[2]},  /* gnss_external.fix_info */
+    {0x94, 0x10, "", &cv7_ins_evidence[2]},  /* gnss_external.clock_info_2 */
+    {0x94, 0x11, "", &cv7_ins_evidence[2]},  /* gnss_external.gps_leap_seconds */
+    {0x94, 0x14, "", &cv7_ins_evidence[2]},  /* gnss_external.rf_error_detection */
+    {0x94, 0x20, "", &cv7_ins_evidence[2]},  /* gnss_external.satellite_status */
+    {0xA0, 0x01, "", &cv7_ins_evidence[10]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cv7_ins_evidence[4]},  /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cv7_ins_evidence[9]},  /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cv7_ins_evidence[10]}, /* shared.event_source */
+    {0xFF, 0xD3, "", &cv7_ins_evidence[4]},  /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cv7_ins_evidence[10]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &cv7_ins_evidence[9]},  /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cv7_ins_evidence[10]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cv7_ins_evidence[9]},  /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cv7_ins_evidence[10]}, /* shared.external_time_delta */
 };
 
 static const struct mip_profile_rate cv7_ins_rates[] = {
     {0x94, 0},
 };
 
+static const struct mip_profile_port cv7_ins_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},   {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"}, {"UART 3", 0x13, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
 static const struct mip_profile_limit cv7_ins_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
     {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device."},
+};
+
+static const char *const cv7_ins_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const cv7_ins_gpio_pins_cells[] = {
+    "Pin", "Features",                                /* heading */
+    "1",   "GPIO, PPS, timestamp, UART 2",            /* row 1 */
+    "2",   "GPIO, PPS, timestamp, UART 2",            /* row 2 */
+    "3",   "GPIO, PPS, timestamp, UART 3, encoder A", /* row 3 */
+    "4",   "GPIO, PPS, timestamp, UART 3, encoder B", /* row 4 */
+};
+
+static const struct mip_profile_note cv7_ins_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     cv7_ins_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
+     "pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
+     NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cv7_ins_gpio_pins_cells,
+     5, 2},
+    {"receivers", "GNSS sets", "The sets 0x94 and 0x95 have data of two receivers of the user.",
+     NULL, 0, 0},
+};
+
+static const struct mip_profile_reading cv7_ins_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_cv7_ins = {
@@ -1174,21 +2202,23 @@ const struct mip_profile mip_profile_cv7_ins = {
     7,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    18,   /* fields */
+    132,  /* fields */
+    0,    /* refused fields */
     1,    /* base rates */
-    0,    /* ports */
-    1,    /* limits */
-    0,    /* notes */
-    0,    /* readings */
+    5,    /* ports */
+    2,    /* limits */
+    4,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     cv7_ins_incomplete,
     cv7_ins_fields,
+    NULL,
     cv7_ins_rates,
-    NULL,
+    cv7_ins_ports,
     cv7_ins_limits,
-    NULL,
-    NULL,
+    cv7_ins_notes,
+    cv7_ins_readings,
     NULL,
 };
 
@@ -1199,24 +2229,45 @@ static const char *const cx5_10_also[] = {
 };
 
 static const char *const cx5_10_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, "
+    "`3dm` and `sensor` only.",
 };
 
-static const char cx5_10_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cx5_10_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cx5_10_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cx5_10_evidence[] = {
+    {MIP_SUPPORT_YES,
+     "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+};
 
 static const struct mip_profile_field cx5_10_fields[] = {
-    {0x01, 0x01, "", cx5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cx5_10_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cx5_10_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx5_10_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx5_10_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx5_10_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx5_10_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cx5_10_evidence[1]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cx5_10_evidence[0]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx5_10_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cx5_10_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &cx5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cx5_10_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &cx5_10_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cx5_10_evidence[1]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cx5_10_evidence[2]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx5_10_evidence[2]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx5_10_evidence[2]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cx5_10_evidence[2]},       /* 3dm.device_status */
+    {0x80, 0x04, "", &cx5_10_evidence[1]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx5_10_evidence[1]},       /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cx5_10_evidence[2]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx5_10_evidence[2]},       /* sensor.delta_velocity */
+    {0x80, 0x12, "", &cx5_10_evidence[2]},       /* sensor.gps_timestamp */
 };
 
 static const struct mip_profile_note cx5_10_notes[] = {
@@ -1227,6 +2278,7 @@ static const struct mip_profile_note cx5_10_notes[] = {
 };
 
 static const struct mip_profile_reading cx5_10_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
@@ -1234,22 +2286,24 @@ static const struct mip_profile_reading cx5_10_readings[] = {
 const struct mip_profile mip_profile_cx5_10 = {
     "3dm-cx5-10",
     "3DM-CX5-10",
-    "",
+    "3dm-cx5-10",
     "Inertial measurement unit.",
     6275, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    8,    /* fields */
+    27,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
     cx5_10_also,
     cx5_10_incomplete,
     cx5_10_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1265,24 +2319,93 @@ static const char *const cx5_15_also[] = {
 };
 
 static const char *const cx5_15_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cx5_15_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cx5_15_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cx5_15_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cx5_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+};
 
 static const struct mip_profile_field cx5_15_fields[] = {
-    {0x01, 0x01, "", cx5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_15_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cx5_15_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cx5_15_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx5_15_evidence[1]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx5_15_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx5_15_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx5_15_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cx5_15_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cx5_15_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx5_15_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cx5_15_evidence[3]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cx5_15_evidence[3]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cx5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cx5_15_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cx5_15_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cx5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cx5_15_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cx5_15_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx5_15_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cx5_15_evidence[3]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cx5_15_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cx5_15_evidence[3]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cx5_15_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cx5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cx5_15_evidence[3]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cx5_15_evidence[3]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cx5_15_evidence[3]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cx5_15_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cx5_15_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx5_15_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cx5_15_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cx5_15_evidence[3]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cx5_15_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cx5_15_evidence[3]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cx5_15_evidence[3]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cx5_15_evidence[3]},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD", &cx5_15_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD", &cx5_15_evidence[3]},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD",
+     &cx5_15_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", &cx5_15_evidence[3]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cx5_15_evidence[3]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cx5_15_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx5_15_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &cx5_15_evidence[3]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx5_15_evidence[3]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx5_15_evidence[3]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx5_15_evidence[3]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx5_15_evidence[3]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cx5_15_evidence[3]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cx5_15_evidence[3]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cx5_15_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cx5_15_evidence[3]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cx5_15_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx5_15_evidence[3]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx5_15_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx5_15_evidence[3]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cx5_15_evidence[3]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx5_15_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cx5_15_evidence[3]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx5_15_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cx5_15_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cx5_15_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &cx5_15_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cx5_15_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx5_15_evidence[3]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cx5_15_evidence[3]},      /* filter_data.heading_update_state */
+    {0x82, 0x1C, "", &cx5_15_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cx5_15_evidence[3]},      /* filter_data.pressure_altitude */
 };
 
 static const struct mip_profile_note cx5_15_notes[] = {
@@ -1293,8 +2416,12 @@ static const struct mip_profile_note cx5_15_notes[] = {
 };
 
 static const struct mip_profile_reading cx5_15_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cx5_15 = {
@@ -1306,16 +2433,18 @@ const struct mip_profile mip_profile_cx5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    8,    /* fields */
+    73,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cx5_15_also,
     cx5_15_incomplete,
     cx5_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1331,23 +2460,112 @@ static const char *const cx5_25_also[] = {
 };
 
 static const char *const cx5_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cx5_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cx5_25_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cx5_25_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cx5_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+};
 
 static const struct mip_profile_field cx5_25_fields[] = {
-    {0x01, 0x01, "", cx5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_25_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cx5_25_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cx5_25_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx5_25_evidence[1]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx5_25_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx5_25_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx5_25_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cx5_25_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cx5_25_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx5_25_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cx5_25_evidence[3]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &cx5_25_evidence[3]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cx5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &cx5_25_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &cx5_25_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cx5_25_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &cx5_25_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx5_25_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cx5_25_evidence[3]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cx5_25_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cx5_25_evidence[3]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cx5_25_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &cx5_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &cx5_25_evidence[3]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &cx5_25_evidence[3]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cx5_25_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cx5_25_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cx5_25_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx5_25_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cx5_25_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cx5_25_evidence[3]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cx5_25_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cx5_25_evidence[3]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &cx5_25_evidence[3]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &cx5_25_evidence[3]},  /* filter.reference_position */
+    {0x0D, 0x27, "WS", &cx5_25_evidence[3]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &cx5_25_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &cx5_25_evidence[3]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &cx5_25_evidence[3]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &cx5_25_evidence[3]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x41, "WRSLD", &cx5_25_evidence[3]},  /* filter.enable_measurements */
+    {0x0D, 0x42, "WRSLD", &cx5_25_evidence[3]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &cx5_25_evidence[3]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &cx5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &cx5_25_evidence[3]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &cx5_25_evidence[3]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &cx5_25_evidence[3]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &cx5_25_evidence[3]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &cx5_25_evidence[3]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cx5_25_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx5_25_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx5_25_evidence[3]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx5_25_evidence[3]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx5_25_evidence[3]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx5_25_evidence[3]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx5_25_evidence[3]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx5_25_evidence[3]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cx5_25_evidence[3]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cx5_25_evidence[3]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cx5_25_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cx5_25_evidence[3]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &cx5_25_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx5_25_evidence[3]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx5_25_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx5_25_evidence[3]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cx5_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx5_25_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cx5_25_evidence[3]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx5_25_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cx5_25_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cx5_25_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &cx5_25_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cx5_25_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx5_25_evidence[3]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cx5_25_evidence[3]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &cx5_25_evidence[3]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cx5_25_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cx5_25_evidence[3]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &cx5_25_evidence[3]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &cx5_25_evidence[3]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &cx5_25_evidence[3]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &cx5_25_evidence[3]},      /* filter_data.mag_matrix_uncertainty */
 };
 
 static const struct mip_profile_note cx5_25_notes[] = {
@@ -1358,8 +2576,12 @@ static const struct mip_profile_note cx5_25_notes[] = {
 };
 
 static const struct mip_profile_reading cx5_25_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cx5_25 = {
@@ -1371,16 +2593,18 @@ const struct mip_profile mip_profile_cx5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    7,    /* fields */
+    90,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     cx5_25_also,
     cx5_25_incomplete,
     cx5_25_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1396,23 +2620,72 @@ static const char *const cx5_35_also[] = {
 };
 
 static const char *const cx5_35_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char cx5_35_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cx5_35_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cx5_35_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cx5_35_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-35."},
+};
 
 static const struct mip_profile_field cx5_35_fields[] = {
-    {0x01, 0x01, "", cx5_35_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_35_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_35_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_35_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_35_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_35_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_35_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cx5_35_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &cx5_35_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx5_35_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx5_35_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx5_35_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx5_35_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &cx5_35_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cx5_35_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx5_35_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cx5_35_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &cx5_35_evidence[1]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "", &cx5_35_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &cx5_35_evidence[1]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &cx5_35_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x11, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", &cx5_35_evidence[1]},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", &cx5_35_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx5_35_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cx5_35_evidence[1]},       /* 3dm.device_status */
+    {0x7F, 0x10, "WRSLD", &cx5_35_evidence[1]},  /* system.comm_mode */
+    {0x80, 0x04, "", &cx5_35_evidence[0]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx5_35_evidence[0]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx5_35_evidence[1]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx5_35_evidence[1]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx5_35_evidence[1]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx5_35_evidence[1]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx5_35_evidence[1]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx5_35_evidence[1]},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cx5_35_evidence[1]},       /* sensor.north_vector */
+    {0x80, 0x11, "", &cx5_35_evidence[1]},       /* sensor.up_vector */
+    {0x80, 0x12, "", &cx5_35_evidence[1]},       /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cx5_35_evidence[1]},       /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &cx5_35_evidence[1]},       /* gnss_data.llh_position */
+    {0x81, 0x04, "", &cx5_35_evidence[1]},       /* gnss_data.ecef_position */
+    {0x81, 0x05, "", &cx5_35_evidence[1]},       /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", &cx5_35_evidence[1]},       /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", &cx5_35_evidence[1]},       /* gnss_data.dop */
+    {0x81, 0x08, "", &cx5_35_evidence[1]},       /* gnss_data.utc_time */
+    {0x81, 0x09, "", &cx5_35_evidence[1]},       /* gnss_data.gps_time */
+    {0x81, 0x0A, "", &cx5_35_evidence[1]},       /* gnss_data.clock_info */
+    {0x81, 0x0B, "", &cx5_35_evidence[1]},       /* gnss_data.fix_info */
+    {0x81, 0x0C, "", &cx5_35_evidence[1]},       /* gnss_data.sv_info */
+    {0x81, 0x0D, "", &cx5_35_evidence[1]},       /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", &cx5_35_evidence[1]},       /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", &cx5_35_evidence[1]},       /* gnss_data.dgps_channel */
 };
 
 static const struct mip_profile_note cx5_35_notes[] = {
@@ -1436,7 +2709,8 @@ const struct mip_profile mip_profile_cx5_35 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    7,    /* fields */
+    57,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1446,6 +2720,7 @@ const struct mip_profile mip_profile_cx5_35 = {
     cx5_35_also,
     cx5_35_incomplete,
     cx5_35_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1461,23 +2736,149 @@ static const char *const cx5_45_also[] = {
 };
 
 static const char *const cx5_45_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
 };
 
-static const char cx5_45_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char cx5_45_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char cx5_45_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence cx5_45_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+};
 
 static const struct mip_profile_field cx5_45_fields[] = {
-    {0x01, 0x01, "", cx5_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_45_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &cx5_45_evidence[1]},       /* base.ping */
+    {0x01, 0x02, "", &cx5_45_evidence[1]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx5_45_evidence[2]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx5_45_evidence[4]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx5_45_evidence[5]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx5_45_evidence[1]},       /* base.resume */
+    {0x01, 0x07, "", &cx5_45_evidence[4]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &cx5_45_evidence[5]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx5_45_evidence[5]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &cx5_45_evidence[5]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &cx5_45_evidence[5]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &cx5_45_evidence[5]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &cx5_45_evidence[1]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &cx5_45_evidence[2]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &cx5_45_evidence[1]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", &cx5_45_evidence[5]},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", &cx5_45_evidence[1]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx5_45_evidence[2]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &cx5_45_evidence[5]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &cx5_45_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &cx5_45_evidence[5]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &cx5_45_evidence[5]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &cx5_45_evidence[5]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &cx5_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &cx5_45_evidence[5]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &cx5_45_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &cx5_45_evidence[5]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &cx5_45_evidence[5]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &cx5_45_evidence[5]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &cx5_45_evidence[5]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &cx5_45_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &cx5_45_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &cx5_45_evidence[5]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx5_45_evidence[5]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &cx5_45_evidence[5]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &cx5_45_evidence[5]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &cx5_45_evidence[5]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &cx5_45_evidence[5]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cx5_45_evidence[5]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &cx5_45_evidence[5]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &cx5_45_evidence[5]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &cx5_45_evidence[5]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x27, "WS", &cx5_45_evidence[5]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &cx5_45_evidence[5]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &cx5_45_evidence[5]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &cx5_45_evidence[5]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &cx5_45_evidence[5]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x42, "WRSLD", &cx5_45_evidence[5]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &cx5_45_evidence[5]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &cx5_45_evidence[5]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &cx5_45_evidence[5]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &cx5_45_evidence[5]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &cx5_45_evidence[5]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &cx5_45_evidence[5]}, /* filter.pitch_roll_aiding */
+    {0x0D, 0x53, "WRSLD", &cx5_45_evidence[5]}, /* filter.adaptive_filter_options */
+    {0x7F, 0x10, "WRSLD", &cx5_45_evidence[5]}, /* system.comm_mode */
+    {0x80, 0x04, "", &cx5_45_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx5_45_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx5_45_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx5_45_evidence[5]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx5_45_evidence[5]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx5_45_evidence[5]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx5_45_evidence[3]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx5_45_evidence[5]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &cx5_45_evidence[5]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &cx5_45_evidence[5]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &cx5_45_evidence[1]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &cx5_45_evidence[3]},      /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &cx5_45_evidence[3]},      /* gnss_data.llh_position */
+    {0x81, 0x04, "", &cx5_45_evidence[5]},      /* gnss_data.ecef_position */
+    {0x81, 0x05, "", &cx5_45_evidence[3]},      /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", &cx5_45_evidence[5]},      /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", &cx5_45_evidence[3]},      /* gnss_data.dop */
+    {0x81, 0x08, "", &cx5_45_evidence[5]},      /* gnss_data.utc_time */
+    {0x81, 0x09, "", &cx5_45_evidence[5]},      /* gnss_data.gps_time */
+    {0x81, 0x0A, "", &cx5_45_evidence[5]},      /* gnss_data.clock_info */
+    {0x81, 0x0B, "", &cx5_45_evidence[1]},      /* gnss_data.fix_info */
+    {0x81, 0x0C, "", &cx5_45_evidence[5]},      /* gnss_data.sv_info */
+    {0x81, 0x0D, "", &cx5_45_evidence[5]},      /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", &cx5_45_evidence[5]},      /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", &cx5_45_evidence[5]},      /* gnss_data.dgps_channel */
+    {0x82, 0x01, "", &cx5_45_evidence[1]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &cx5_45_evidence[1]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &cx5_45_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx5_45_evidence[5]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx5_45_evidence[1]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx5_45_evidence[6]},      /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &cx5_45_evidence[6]},      /* filter_data.accel_bias */
+    {0x82, 0x08, "", &cx5_45_evidence[6]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &cx5_45_evidence[6]},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &cx5_45_evidence[6]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx5_45_evidence[6]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &cx5_45_evidence[6]},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &cx5_45_evidence[6]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx5_45_evidence[5]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &cx5_45_evidence[6]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &cx5_45_evidence[1]},      /* filter_data.status */
+    {0x82, 0x11, "", &cx5_45_evidence[1]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &cx5_45_evidence[6]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx5_45_evidence[6]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &cx5_45_evidence[5]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &cx5_45_evidence[6]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cx5_45_evidence[6]},      /* filter_data.comp_accel */
+    {0x82, 0x20, "", &cx5_45_evidence[6]},      /* filter_data.standard_atmosphere */
+    {0x82, 0x21, "", &cx5_45_evidence[6]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &cx5_45_evidence[6]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &cx5_45_evidence[6]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &cx5_45_evidence[6]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &cx5_45_evidence[6]},      /* filter_data.mag_matrix_uncertainty */
 };
 
 static const struct mip_profile_note cx5_45_notes[] = {
@@ -1490,27 +2891,32 @@ static const struct mip_profile_note cx5_45_notes[] = {
 static const struct mip_profile_reading cx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cx5_45 = {
     "3dm-cx5-45",
     "3DM-CX5-45",
-    "",
+    "3dm-cx5-45",
     "Inertial navigation system with GNSS.",
     6271, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    7,    /* fields */
+    124,  /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    5,    /* readings */
     0,    /* acknowledge codes */
     cx5_45_also,
     cx5_45_incomplete,
     cx5_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1519,23 +2925,623 @@ const struct mip_profile mip_profile_cx5_45 = {
     NULL,
 };
 
+/* 3DM-CX7-AHRS. */
+
+static const char *const cx7_ahrs_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence cx7_ahrs_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
+
+static const struct mip_profile_field cx7_ahrs_fields[] = {
+    {0x01, 0x01, "", &cx7_ahrs_evidence[2]},       /* base.ping */
+    {0x01, 0x02, "", &cx7_ahrs_evidence[2]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx7_ahrs_evidence[2]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx7_ahrs_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx7_ahrs_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx7_ahrs_evidence[2]},       /* base.resume */
+    {0x01, 0x07, "", &cx7_ahrs_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cx7_ahrs_evidence[3]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cx7_ahrs_evidence[3]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cx7_ahrs_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx7_ahrs_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &cx7_ahrs_evidence[3]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cx7_ahrs_evidence[2]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cx7_ahrs_evidence[2]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &cx7_ahrs_evidence[3]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cx7_ahrs_evidence[0]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cx7_ahrs_evidence[2]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx7_ahrs_evidence[3]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cx7_ahrs_evidence[0]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cx7_ahrs_evidence[3]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cx7_ahrs_evidence[3]},       /* filter.reset */
+    {0x0D, 0x03, "", &cx7_ahrs_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &cx7_ahrs_evidence[3]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cx7_ahrs_evidence[3]},  /* aiding.echo_control */
+    {0x13, 0x31, "", &cx7_ahrs_evidence[3]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &cx7_ahrs_evidence[3]},       /* aiding.magnetic_field */
+    {0x80, 0x04, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx7_ahrs_evidence[3]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx7_ahrs_evidence[3]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cx7_ahrs_evidence[3]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cx7_ahrs_evidence[3]},       /* sensor.overrange_status */
+    {0x82, 0x03, "", &cx7_ahrs_evidence[1]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx7_ahrs_evidence[3]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx7_ahrs_evidence[1]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx7_ahrs_evidence[1]},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cx7_ahrs_evidence[1]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx7_ahrs_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cx7_ahrs_evidence[1]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx7_ahrs_evidence[1]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cx7_ahrs_evidence[1]},       /* filter_data.status */
+    {0x82, 0x12, "", &cx7_ahrs_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx7_ahrs_evidence[1]},       /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &cx7_ahrs_evidence[1]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cx7_ahrs_evidence[1]},       /* filter_data.pressure_altitude */
+    {0xA0, 0x01, "", &cx7_ahrs_evidence[3]},       /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cx7_ahrs_evidence[1]},       /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cx7_ahrs_evidence[1]},       /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cx7_ahrs_evidence[3]},       /* shared.event_source */
+    {0xFF, 0xD3, "", &cx7_ahrs_evidence[1]},       /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cx7_ahrs_evidence[3]},       /* shared.delta_time */
+    {0xFF, 0xD5, "", &cx7_ahrs_evidence[1]},       /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cx7_ahrs_evidence[3]},       /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cx7_ahrs_evidence[1]},       /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cx7_ahrs_evidence[3]},       /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port cx7_ahrs_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
+    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit cx7_ahrs_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const cx7_ahrs_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const cx7_ahrs_gpio_pins_cells[] = {
+    "Pin", "Features",             /* heading */
+    "1",   "GPIO, PPS, timestamp", /* row 1 */
+    "2",   "GPIO, PPS, timestamp", /* row 2 */
+    "3",   "GPIO, PPS, timestamp", /* row 3 */
+    "4",   "GPIO, PPS, timestamp", /* row 4 */
+};
+
+static const struct mip_profile_note cx7_ahrs_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     cx7_ahrs_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ahrs_gpio_pins_cells,
+     5, 2},
+};
+
+static const struct mip_profile_reading cx7_ahrs_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
+};
+
+const struct mip_profile mip_profile_cx7_ahrs = {
+    "3dm-cx7-ahrs",
+    "3DM-CX7-AHRS",
+    "",
+    "Attitude and heading reference system.",
+    6701, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    87,   /* fields */
+    0,    /* refused fields */
+    0,    /* base rates */
+    3,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cx7_ahrs_incomplete,
+    cx7_ahrs_fields,
+    NULL,
+    NULL,
+    cx7_ahrs_ports,
+    cx7_ahrs_limits,
+    cx7_ahrs_notes,
+    cx7_ahrs_readings,
+    NULL,
+};
+
+/* 3DM-CX7-AR. */
+
+static const char *const cx7_ar_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence cx7_ar_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
+
+static const struct mip_profile_field cx7_ar_fields[] = {
+    {0x01, 0x01, "", &cx7_ar_evidence[2]},       /* base.ping */
+    {0x01, 0x02, "", &cx7_ar_evidence[2]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx7_ar_evidence[2]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx7_ar_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx7_ar_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx7_ar_evidence[2]},       /* base.resume */
+    {0x01, 0x07, "", &cx7_ar_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cx7_ar_evidence[3]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cx7_ar_evidence[3]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cx7_ar_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx7_ar_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &cx7_ar_evidence[3]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cx7_ar_evidence[2]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cx7_ar_evidence[2]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &cx7_ar_evidence[3]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cx7_ar_evidence[0]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cx7_ar_evidence[2]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx7_ar_evidence[3]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cx7_ar_evidence[0]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cx7_ar_evidence[3]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cx7_ar_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cx7_ar_evidence[3]},       /* filter.reset */
+    {0x0D, 0x03, "", &cx7_ar_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &cx7_ar_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &cx7_ar_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cx7_ar_evidence[0]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cx7_ar_evidence[0]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &cx7_ar_evidence[0]},  /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &cx7_ar_evidence[3]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cx7_ar_evidence[3]},  /* aiding.echo_control */
+    {0x13, 0x31, "", &cx7_ar_evidence[3]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &cx7_ar_evidence[3]},       /* aiding.magnetic_field */
+    {0x80, 0x04, "", &cx7_ar_evidence[1]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx7_ar_evidence[1]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx7_ar_evidence[1]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx7_ar_evidence[3]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx7_ar_evidence[3]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx7_ar_evidence[1]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx7_ar_evidence[1]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx7_ar_evidence[1]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cx7_ar_evidence[3]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cx7_ar_evidence[1]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cx7_ar_evidence[3]},       /* sensor.overrange_status */
+    {0x82, 0x03, "", &cx7_ar_evidence[1]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx7_ar_evidence[3]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx7_ar_evidence[1]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx7_ar_evidence[1]},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &cx7_ar_evidence[1]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx7_ar_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &cx7_ar_evidence[1]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx7_ar_evidence[1]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cx7_ar_evidence[1]},       /* filter_data.status */
+    {0x82, 0x12, "", &cx7_ar_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx7_ar_evidence[1]},       /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &cx7_ar_evidence[1]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cx7_ar_evidence[1]},       /* filter_data.pressure_altitude */
+    {0xA0, 0x01, "", &cx7_ar_evidence[3]},       /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cx7_ar_evidence[1]},       /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cx7_ar_evidence[1]},       /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cx7_ar_evidence[3]},       /* shared.event_source */
+    {0xFF, 0xD3, "", &cx7_ar_evidence[1]},       /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cx7_ar_evidence[3]},       /* shared.delta_time */
+    {0xFF, 0xD5, "", &cx7_ar_evidence[1]},       /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cx7_ar_evidence[3]},       /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cx7_ar_evidence[1]},       /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cx7_ar_evidence[3]},       /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port cx7_ar_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
+    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit cx7_ar_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const cx7_ar_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const cx7_ar_gpio_pins_cells[] = {
+    "Pin", "Features",             /* heading */
+    "1",   "GPIO, PPS, timestamp", /* row 1 */
+    "2",   "GPIO, PPS, timestamp", /* row 2 */
+    "3",   "GPIO, PPS, timestamp", /* row 3 */
+    "4",   "GPIO, PPS, timestamp", /* row 4 */
+};
+
+static const struct mip_profile_note cx7_ar_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     cx7_ar_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ar_gpio_pins_cells,
+     5, 2},
+};
+
+static const struct mip_profile_reading cx7_ar_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
+};
+
+const struct mip_profile mip_profile_cx7_ar = {
+    "3dm-cx7-ar",
+    "3DM-CX7-AR",
+    "",
+    "Attitude reference.",
+    6700, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    87,   /* fields */
+    0,    /* refused fields */
+    0,    /* base rates */
+    3,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cx7_ar_incomplete,
+    cx7_ar_fields,
+    NULL,
+    NULL,
+    cx7_ar_ports,
+    cx7_ar_limits,
+    cx7_ar_notes,
+    cx7_ar_readings,
+    NULL,
+};
+
+/* 3DM-CX7-INS. */
+
+static const char *const cx7_ins_incomplete[] = {
+    "No manual is known.",
+};
+
+static const struct mip_profile_evidence cx7_ins_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
+
+static const struct mip_profile_field cx7_ins_fields[] = {
+    {0x01, 0x01, "", &cx7_ins_evidence[2]},       /* base.ping */
+    {0x01, 0x02, "", &cx7_ins_evidence[2]},       /* base.set_idle */
+    {0x01, 0x03, "", &cx7_ins_evidence[2]},       /* base.get_device_info */
+    {0x01, 0x04, "", &cx7_ins_evidence[2]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &cx7_ins_evidence[3]},       /* base.built_in_test */
+    {0x01, 0x06, "", &cx7_ins_evidence[2]},       /* base.resume */
+    {0x01, 0x07, "", &cx7_ins_evidence[2]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &cx7_ins_evidence[3]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &cx7_ins_evidence[3]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &cx7_ins_evidence[3]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &cx7_ins_evidence[3]},       /* base.soft_reset */
+    {0x0C, 0x04, "", &cx7_ins_evidence[3]},       /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", &cx7_ins_evidence[3]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &cx7_ins_evidence[2]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &cx7_ins_evidence[2]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &cx7_ins_evidence[3]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &cx7_ins_evidence[0]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &cx7_ins_evidence[2]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &cx7_ins_evidence[3]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &cx7_ins_evidence[0]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &cx7_ins_evidence[3]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &cx7_ins_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &cx7_ins_evidence[3]},       /* filter.reset */
+    {0x0D, 0x03, "", &cx7_ins_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x05, "", &cx7_ins_evidence[3]},       /* filter.run */
+    {0x0D, 0x13, "WRSLD", &cx7_ins_evidence[3]},  /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gnss_source */
+    {0x0D, 0x17, "", &cx7_ins_evidence[3]},       /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", &cx7_ins_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &cx7_ins_evidence[3]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &cx7_ins_evidence[3]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &cx7_ins_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &cx7_ins_evidence[0]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &cx7_ins_evidence[0]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", &cx7_ins_evidence[3]},  /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", &cx7_ins_evidence[0]},  /* filter.adaptive_filter_options */
+    {0x0D, 0x55, "WRSLD", &cx7_ins_evidence[3]},  /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", &cx7_ins_evidence[3]},  /* filter.reference_point_lever_arm */
+    {0x13, 0x01, "WRSLD", &cx7_ins_evidence[3]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &cx7_ins_evidence[3]},  /* aiding.echo_control */
+    {0x13, 0x21, "", &cx7_ins_evidence[3]},       /* aiding.ecef_position */
+    {0x13, 0x22, "", &cx7_ins_evidence[3]},       /* aiding.llh_position */
+    {0x13, 0x23, "", &cx7_ins_evidence[3]},       /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, "", &cx7_ins_evidence[3]},       /* aiding.ecef_velocity */
+    {0x13, 0x29, "", &cx7_ins_evidence[3]},       /* aiding.ned_velocity */
+    {0x13, 0x2A, "", &cx7_ins_evidence[3]},       /* aiding.body_frame_velocity */
+    {0x13, 0x31, "", &cx7_ins_evidence[3]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &cx7_ins_evidence[3]},       /* aiding.magnetic_field */
+    {0x13, 0x33, "", &cx7_ins_evidence[3]},       /* aiding.pressure */
+    {0x80, 0x04, "", &cx7_ins_evidence[1]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &cx7_ins_evidence[1]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &cx7_ins_evidence[1]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &cx7_ins_evidence[3]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &cx7_ins_evidence[3]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &cx7_ins_evidence[1]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &cx7_ins_evidence[1]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &cx7_ins_evidence[1]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &cx7_ins_evidence[3]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &cx7_ins_evidence[1]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &cx7_ins_evidence[3]},       /* sensor.overrange_status */
+    {0x82, 0x01, "", &cx7_ins_evidence[3]},       /* filter_data.llh_position */
+    {0x82, 0x02, "", &cx7_ins_evidence[3]},       /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &cx7_ins_evidence[1]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &cx7_ins_evidence[3]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &cx7_ins_evidence[1]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &cx7_ins_evidence[1]},       /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &cx7_ins_evidence[1]},       /* filter_data.accel_bias */
+    {0x82, 0x08, "", &cx7_ins_evidence[3]},       /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &cx7_ins_evidence[3]},       /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &cx7_ins_evidence[1]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &cx7_ins_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &cx7_ins_evidence[1]},       /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &cx7_ins_evidence[1]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &cx7_ins_evidence[1]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &cx7_ins_evidence[1]},       /* filter_data.status */
+    {0x82, 0x12, "", &cx7_ins_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &cx7_ins_evidence[1]},       /* filter_data.gravity_vector */
+    {0x82, 0x15, "", &cx7_ins_evidence[3]},       /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &cx7_ins_evidence[1]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &cx7_ins_evidence[1]},       /* filter_data.pressure_altitude */
+    {0x82, 0x36, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_position */
+    {0x82, 0x41, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", &cx7_ins_evidence[3]},       /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", &cx7_ins_evidence[3]},       /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", &cx7_ins_evidence[3]},       /* filter_data.aiding_measurement_summary */
+    {0x82, 0x50, "", &cx7_ins_evidence[3]},       /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, "", &cx7_ins_evidence[3]}, /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x94, 0x03, "", &cx7_ins_evidence[3]}, /* gnss_external.llh_position */
+    {0x94, 0x05, "", &cx7_ins_evidence[3]}, /* gnss_external.ned_velocity */
+    {0x94, 0x08, "", &cx7_ins_evidence[3]}, /* gnss_external.utc_time */
+    {0x94, 0x0B, "", &cx7_ins_evidence[3]}, /* gnss_external.fix_info */
+    {0x94, 0x20, "", &cx7_ins_evidence[3]}, /* gnss_external.satellite_status */
+    {0xA0, 0x01, "", &cx7_ins_evidence[3]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &cx7_ins_evidence[1]}, /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &cx7_ins_evidence[1]}, /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &cx7_ins_evidence[3]}, /* shared.event_source */
+    {0xFF, 0xD3, "", &cx7_ins_evidence[1]}, /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &cx7_ins_evidence[3]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &cx7_ins_evidence[1]}, /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &cx7_ins_evidence[3]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &cx7_ins_evidence[1]}, /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &cx7_ins_evidence[3]}, /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port cx7_ins_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},   {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"}, {"UART 3", 0x13, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit cx7_ins_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const cx7_ins_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const cx7_ins_gpio_pins_cells[] = {
+    "Pin", "Features",                                /* heading */
+    "1",   "GPIO, PPS, timestamp, UART 2",            /* row 1 */
+    "2",   "GPIO, PPS, timestamp, UART 2",            /* row 2 */
+    "3",   "GPIO, PPS, timestamp, UART 3, encoder A", /* row 3 */
+    "4",   "GPIO, PPS, timestamp, UART 3, encoder B", /* row 4 */
+};
+
+static const struct mip_profile_note cx7_ins_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     cx7_ins_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
+     "pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
+     NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ins_gpio_pins_cells,
+     5, 2},
+};
+
+static const struct mip_profile_reading cx7_ins_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
+};
+
+const struct mip_profile mip_profile_cx7_ins = {
+    "3dm-cx7-ins",
+    "3DM-CX7-INS",
+    "",
+    "Inertial navigation system.",
+    6702, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    126,  /* fields */
+    0,    /* refused fields */
+    0,    /* base rates */
+    5,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cx7_ins_incomplete,
+    cx7_ins_fields,
+    NULL,
+    NULL,
+    cx7_ins_ports,
+    cx7_ins_limits,
+    cx7_ins_notes,
+    cx7_ins_readings,
+    NULL,
+};
+
 /* 3DM-DH3. */
 
 static const char *const dh3_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char dh3_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char dh3_evidence_2[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence dh3_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+};
 
 static const struct mip_profile_field dh3_fields[] = {
-    {0x01, 0x01, "", dh3_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", dh3_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", dh3_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", dh3_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", dh3_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", dh3_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &dh3_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &dh3_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &dh3_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &dh3_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", &dh3_evidence[0]},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", &dh3_evidence[0]}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_profile_reading dh3_readings[] = {
@@ -1544,23 +3550,31 @@ static const struct mip_profile_reading dh3_readings[] = {
 };
 
 const struct mip_profile mip_profile_dh3 = {
-    "3dm-dh3",  "3DM-DH3",
-    "",         "Device of generation 3, known only by its name and its number.",
+    "3dm-dh3",
+    "3DM-DH3",
+    "",
+    "Device of generation 3.",
     6219, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
     6,    /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     0,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
-    NULL,       dh3_incomplete,
-    dh3_fields, NULL,
-    NULL,       NULL,
-    NULL,       dh3_readings,
+    NULL,
+    dh3_incomplete,
+    dh3_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    dh3_readings,
     NULL,
 };
 
@@ -1572,49 +3586,92 @@ static const char *const gq4_45_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char gq4_45_evidence_1[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence gq4_45_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45."},
+};
 
 static const struct mip_profile_field gq4_45_fields[] = {
-    {0x01, 0x01, "", NULL},                   /* base.ping */
-    {0x01, 0x02, "", NULL},                   /* base.set_idle */
-    {0x01, 0x03, "", NULL},                   /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                   /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                   /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                   /* base.resume */
-    {0x01, 0x72, "WRA", NULL},                /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                   /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                   /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                   /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                   /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                   /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                   /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},              /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},              /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},              /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                   /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                   /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", NULL},              /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},              /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x30, "SLD", NULL},                /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},             /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},             /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},             /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},             /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},              /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},              /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},              /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},              /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                   /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gq4_45_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gq4_45_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", &gq4_45_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gq4_45_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gq4_45_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gq4_45_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gq4_45_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gq4_45_evidence[0]},       /* base.resume */
+    {0x01, 0x72, "WRA", &gq4_45_evidence[0]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gq4_45_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gq4_45_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gq4_45_evidence[0]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &gq4_45_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gq4_45_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gq4_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gq4_45_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", &gq4_45_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
+    {0x0C, 0x21, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x30, "SLD", &gq4_45_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gq4_45_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gq4_45_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gq4_45_evidence[1]},       /* filter.reset */
+    {0x0D, 0x02, "", &gq4_45_evidence[1]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gq4_45_evidence[1]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &gq4_45_evidence[1]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &gq4_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &gq4_45_evidence[1]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &gq4_45_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &gq4_45_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &gq4_45_evidence[1]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &gq4_45_evidence[1]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &gq4_45_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gq4_45_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gq4_45_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gq4_45_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &gq4_45_evidence[1]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &gq4_45_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &gq4_45_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &gq4_45_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &gq4_45_evidence[1]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &gq4_45_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x42, "WRSLD", &gq4_45_evidence[1]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &gq4_45_evidence[1]},  /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD",
-     gq4_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gq4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &gq4_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gq4_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &gq4_45_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &gq4_45_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gq4_45_evidence[1]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gq4_45_evidence[1]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gq4_45_evidence[1]},      /* sensor.scaled_mag */
+    {0x81, 0x03, "", &gq4_45_evidence[1]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &gq4_45_evidence[1]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &gq4_45_evidence[1]},      /* gnss_data.gps_time */
+    {0x82, 0x01, "", &gq4_45_evidence[1]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gq4_45_evidence[1]},      /* filter_data.ned_velocity */
+    {0x82, 0x05, "", &gq4_45_evidence[1]},      /* filter_data.euler_angles */
 };
 
 static const struct mip_profile_note gq4_45_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gq4_45_response`.",
@@ -1635,16 +3692,18 @@ const struct mip_profile mip_profile_gq4_45 = {
     4,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    36,   /* fields */
+    70,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    1,    /* notes */
+    2,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gq4_45_incomplete,
     gq4_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -1664,46 +3723,206 @@ static const char *const gq7_incomplete[] = {
     "The baud rates of the Aux port are not known, nor all of its protocols.",
 };
 
-static const char gq7_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gq7_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gq7_evidence_3[] =
-    "The manual says which filter command each firmware version has.";
+static const struct mip_profile_evidence gq7_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked "
+                      "by the ROS messages)."},
+    {MIP_SUPPORT_YES,
+     "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked "
+                      "by the wiki of the ROS driver)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
 
 static const struct mip_profile_field gq7_fields[] = {
-    {0x01, 0x01, "", gq7_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gq7_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gq7_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gq7_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gq7_evidence_1},      /* base.resume */
-    {0x0C, 0x04, "", NULL},                /* 3dm.poll_nmea_data */
-    {0x0C, 0x31, "WRSLD", NULL},           /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x39, "", NULL},                /* 3dm.capture_gyro_bias */
-    {0x0C, 0x41, "WRSLD", gq7_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", gq7_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", gq7_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x05, "", NULL},                /* filter.run */
-    {0x0D, 0x15, "WRSLD", NULL},           /* filter.gnss_source */
-    {0x0D, 0x1E, "WRSLD", NULL},           /* filter.auto_zupt */
-    {0x0D, 0x20, "WRSLD", NULL},           /* filter.auto_angular_zupt */
-    {0x0D, 0x43, "WRSLD", NULL},           /* filter.magnetic_declination_source */
-    {0x0D, 0x52, "WRSLD", NULL},           /* filter.initialization_config */
-    {0x0D, 0x64, "WRSLD", NULL},           /* filter.gnss_antenna_calibration_control */
-    {0x91, 0x03, "", NULL},                /* gnss_1.llh_position */
-    {0x91, 0x0B, "", NULL},                /* gnss_1.fix_info */
-    {0x92, 0x0D, "", NULL},                /* gnss_2.hardware_status */
+    {0x01, 0x01, "", &gq7_evidence[4]},       /* base.ping */
+    {0x01, 0x02, "", &gq7_evidence[4]},       /* base.set_idle */
+    {0x01, 0x03, "", &gq7_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gq7_evidence[1]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gq7_evidence[7]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gq7_evidence[4]},       /* base.resume */
+    {0x01, 0x07, "", &gq7_evidence[1]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &gq7_evidence[7]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &gq7_evidence[1]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &gq7_evidence[7]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gq7_evidence[7]},       /* base.soft_reset */
+    {0x0C, 0x04, "", &gq7_evidence[2]},       /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", &gq7_evidence[5]},  /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", &gq7_evidence[7]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &gq7_evidence[1]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &gq7_evidence[4]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &gq7_evidence[5]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &gq7_evidence[7]},  /* 3dm.data_stream_control */
+    {0x0C, 0x22, "WRSLD", &gq7_evidence[5]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x28, "WRSLD", &gq7_evidence[5]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &gq7_evidence[7]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &gq7_evidence[7]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &gq7_evidence[7]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &gq7_evidence[4]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &gq7_evidence[2]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &gq7_evidence[7]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gq7_evidence[7]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gq7_evidence[2]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gq7_evidence[7]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gq7_evidence[7]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &gq7_evidence[5]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &gq7_evidence[0]},     /* 3dm.gpio_state */
+    {0x0C, 0x43, "WRSLD", &gq7_evidence[5]},  /* 3dm.odometer_config */
+    {0x0C, 0x50, "WRSLD", &gq7_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gq7_evidence[7]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &gq7_evidence[7]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &gq7_evidence[1]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &gq7_evidence[4]},       /* filter.reset */
+    {0x0D, 0x03, "", &gq7_evidence[7]},       /* filter.set_initial_heading */
+    {0x0D, 0x05, "", &gq7_evidence[2]},       /* filter.run */
+    {0x0D, 0x15, "WRSLD", &gq7_evidence[2]},  /* filter.gnss_source */
+    {0x0D, 0x17, "", &gq7_evidence[7]},       /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", &gq7_evidence[7]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gq7_evidence[7]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &gq7_evidence[7]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &gq7_evidence[7]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &gq7_evidence[2]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &gq7_evidence[7]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gq7_evidence[2]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &gq7_evidence[7]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &gq7_evidence[2]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &gq7_evidence[4]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", &gq7_evidence[2]},  /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", &gq7_evidence[5]},  /* filter.adaptive_filter_options */
+    {0x0D, 0x54, "WRSLD", &gq7_evidence[4]},  /* filter.multi_antenna_offset */
+    {0x0D, 0x55, "WRSLD", &gq7_evidence[5]},  /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", &gq7_evidence[5]},  /* filter.reference_point_lever_arm */
+    {0x0D, 0x61, "WRSLD", &gq7_evidence[5]},  /* filter.speed_lever_arm */
+    {0x0D, 0x63, "WRSLD", &gq7_evidence[4]},  /* filter.wheeled_vehicle_constraint_control */
+    {0x0D, 0x64, "WRSLD", &gq7_evidence[2]},  /* filter.gnss_antenna_calibration_control */
+    {0x0E, 0x01, "", &gq7_evidence[7]},       /* gnss.receiver_info */
+    {0x0E, 0x02, "WRSLD", &gq7_evidence[5]},  /* gnss.signal_config */
+    {0x0E, 0x10, "WRSLD", &gq7_evidence[5]},  /* gnss.rtk_dongle_config */
+    {0x13, 0x01, "WRSLD", &gq7_evidence[7]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &gq7_evidence[7]},  /* aiding.echo_control */
+    {0x13, 0x31, "", &gq7_evidence[7]},       /* aiding.true_heading */
+    {0x80, 0x04, "", &gq7_evidence[3]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gq7_evidence[3]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gq7_evidence[3]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gq7_evidence[3]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gq7_evidence[3]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gq7_evidence[7]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gq7_evidence[3]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gq7_evidence[7]},       /* sensor.comp_euler_angles */
+    {0x80, 0x12, "", &gq7_evidence[3]},       /* sensor.gps_timestamp */
+    {0x80, 0x14, "", &gq7_evidence[0]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &gq7_evidence[3]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &gq7_evidence[3]},       /* sensor.overrange_status */
+    {0x80, 0x40, "", &gq7_evidence[3]},       /* sensor.odometer */
+    {0x82, 0x01, "", &gq7_evidence[3]},       /* filter_data.llh_position */
+    {0x82, 0x02, "", &gq7_evidence[3]},       /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &gq7_evidence[3]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gq7_evidence[7]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gq7_evidence[3]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gq7_evidence[7]},       /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &gq7_evidence[7]},       /* filter_data.accel_bias */
+    {0x82, 0x08, "", &gq7_evidence[3]},       /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &gq7_evidence[3]},       /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &gq7_evidence[3]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gq7_evidence[7]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &gq7_evidence[7]},       /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &gq7_evidence[3]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gq7_evidence[3]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &gq7_evidence[3]},       /* filter_data.status */
+    {0x82, 0x12, "", &gq7_evidence[7]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gq7_evidence[7]},       /* filter_data.gravity_vector */
+    {0x82, 0x15, "", &gq7_evidence[7]},       /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &gq7_evidence[3]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gq7_evidence[7]},       /* filter_data.pressure_altitude */
+    {0x82, 0x34, "", &gq7_evidence[3]},       /* filter_data.multi_antenna_offset_correction */
+    {0x82, 0x35, "",
+     &gq7_evidence[7]}, /* filter_data.multi_antenna_offset_correction_uncertainty */
+    {0x82, 0x36, "", &gq7_evidence[3]}, /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &gq7_evidence[3]}, /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &gq7_evidence[3]}, /* filter_data.ecef_position */
+    {0x82, 0x41, "", &gq7_evidence[3]}, /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", &gq7_evidence[3]}, /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", &gq7_evidence[3]}, /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", &gq7_evidence[3]}, /* filter_data.aiding_measurement_summary */
+    {0x82, 0x47, "", &gq7_evidence[7]}, /* filter_data.odometer_scale_factor_error */
+    {0x82, 0x48, "", &gq7_evidence[7]}, /* filter_data.odometer_scale_factor_error_uncertainty */
+    {0x82, 0x49, "", &gq7_evidence[3]}, /* filter_data.gnss_dual_antenna_status */
+    {0x91, 0x03, "", &gq7_evidence[2]}, /* gnss_1.llh_position */
+    {0x91, 0x04, "", &gq7_evidence[3]}, /* gnss_1.ecef_position */
+    {0x91, 0x05, "", &gq7_evidence[3]}, /* gnss_1.ned_velocity */
+    {0x91, 0x06, "", &gq7_evidence[3]}, /* gnss_1.ecef_velocity */
+    {0x91, 0x07, "", &gq7_evidence[6]}, /* gnss_1.dop */
+    {0x91, 0x08, "", &gq7_evidence[7]}, /* gnss_1.utc_time */
+    {0x91, 0x09, "", &gq7_evidence[7]}, /* gnss_1.gps_time */
+    {0x91, 0x0B, "", &gq7_evidence[2]}, /* gnss_1.fix_info */
+    {0x91, 0x0D, "", &gq7_evidence[7]}, /* gnss_1.hardware_status */
+    {0x91, 0x10, "", &gq7_evidence[7]}, /* gnss_1.clock_info_2 */
+    {0x91, 0x11, "", &gq7_evidence[6]}, /* gnss_1.gps_leap_seconds */
+    {0x91, 0x12, "", &gq7_evidence[3]}, /* gnss_1.sbas_info */
+    {0x91, 0x14, "", &gq7_evidence[3]}, /* gnss_1.rf_error_detection */
+    {0x91, 0x20, "", &gq7_evidence[7]}, /* gnss_1.satellite_status */
+    {0x91, 0x22, "", &gq7_evidence[7]}, /* gnss_1.raw */
+    {0x91, 0x61, "", &gq7_evidence[7]}, /* gnss_1.gps_ephemeris */
+    {0x91, 0x62, "", &gq7_evidence[7]}, /* gnss_1.glonass_ephemeris */
+    {0x91, 0x63, "", &gq7_evidence[7]}, /* gnss_1.galileo_ephemeris */
+    {0x91, 0x64, "", &gq7_evidence[7]}, /* gnss_1.beidou_ephemeris */
+    {0x92, 0x03, "", &gq7_evidence[3]}, /* gnss_2.llh_position */
+    {0x92, 0x04, "", &gq7_evidence[3]}, /* gnss_2.ecef_position */
+    {0x92, 0x05, "", &gq7_evidence[3]}, /* gnss_2.ned_velocity */
+    {0x92, 0x06, "", &gq7_evidence[3]}, /* gnss_2.ecef_velocity */
+    {0x92, 0x07, "", &gq7_evidence[6]}, /* gnss_2.dop */
+    {0x92, 0x08, "", &gq7_evidence[7]}, /* gnss_2.utc_time */
+    {0x92, 0x09, "", &gq7_evidence[7]}, /* gnss_2.gps_time */
+    {0x92, 0x0B, "", &gq7_evidence[4]}, /* gnss_2.fix_info */
+    {0x92, 0x0D, "", &gq7_evidence[2]}, /* gnss_2.hardware_status */
+    {0x92, 0x10, "", &gq7_evidence[7]}, /* gnss_2.clock_info_2 */
+    {0x92, 0x11, "", &gq7_evidence[6]}, /* gnss_2.gps_leap_seconds */
+    {0x92, 0x12, "", &gq7_evidence[3]}, /* gnss_2.sbas_info */
+    {0x92, 0x14, "", &gq7_evidence[3]}, /* gnss_2.rf_error_detection */
+    {0x92, 0x20, "", &gq7_evidence[7]}, /* gnss_2.satellite_status */
+    {0x92, 0x22, "", &gq7_evidence[7]}, /* gnss_2.raw */
+    {0x92, 0x61, "", &gq7_evidence[7]}, /* gnss_2.gps_ephemeris */
+    {0x92, 0x62, "", &gq7_evidence[7]}, /* gnss_2.glonass_ephemeris */
+    {0x92, 0x63, "", &gq7_evidence[7]}, /* gnss_2.galileo_ephemeris */
+    {0x92, 0x64, "", &gq7_evidence[7]}, /* gnss_2.beidou_ephemeris */
+    {0x93, 0x30, "", &gq7_evidence[3]}, /* gnss_corrections.base_station_info */
+    {0x93, 0x31, "", &gq7_evidence[3]}, /* gnss_corrections.rtk_corrections_status */
+    {0xA0, 0x01, "", &gq7_evidence[0]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &gq7_evidence[7]}, /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &gq7_evidence[7]}, /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &gq7_evidence[7]}, /* shared.event_source */
+    {0xFF, 0xD3, "", &gq7_evidence[3]}, /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &gq7_evidence[7]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &gq7_evidence[7]}, /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &gq7_evidence[7]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &gq7_evidence[7]}, /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &gq7_evidence[7]}, /* shared.external_time_delta */
 };
 
 static const struct mip_profile_rate gq7_rates[] = {
-    {0x80, 1000}, {0x82, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0}, {0xA0, 1000},
+    {0x80, 1000}, {0x82, 1000}, {0xA0, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0},
 };
 
 static const uint32_t gq7_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
 static const struct mip_profile_port gq7_ports[] = {
-    {"Main", 0x01, 4, gq7_baud_rates_1, "MIP, NMEA"},
-    {"Aux", 0x02, 0, NULL, "MIP"},
+    {"Main", 0x01, 4, gq7_baud_rates_1, "MIP, NMEA", "MIP, NMEA"},
+    {"Aux", 0x02, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit gq7_limits[] = {
+    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence, according to MSCL."},
 };
 
 static const char *const gq7_anti_aliasing_cells[] = {
@@ -1718,63 +3937,238 @@ static const char *const gq7_anti_aliasing_cells[] = {
 };
 
 static const char *const gq7_gpio_pins_cells[] = {
-    "Pin", "Features",           /* heading */
-    "1",   "GPIO, PPS, encoder", /* row 1 */
-    "2",   "GPIO, encoder",      /* row 2 */
-    "3",   "GPIO, PPS",          /* row 3 */
-    "4",   "GPIO",               /* row 4 */
+    "Pin", "Connector pin", "Features",             /* heading */
+    "1",   "primary 7",     "GPIO, PPS, encoder A", /* row 1 */
+    "2",   "primary 9",     "GPIO, encoder B",      /* row 2 */
+    "3",   "auxiliary 7",   "GPIO, PPS",            /* row 3 */
+    "4",   "auxiliary 9",   "GPIO",                 /* row 4 */
+};
+
+static const char *const gq7_gnss_signals_cells[] = {
+    "Constellation", "Choices",            /* heading */
+    "GPS",           "none, L1 C/A + L2C", /* row 1 */
+    "GLONASS",       "none, L1 + L2",      /* row 2 */
+    "Galileo",       "none, E1 + E5b",     /* row 3 */
+    "BeiDou",        "none, B1 + B2",      /* row 4 */
 };
 
 static const struct mip_profile_note gq7_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.10 has "
-     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      gq7_anti_aliasing_cells, 8, 3},
-    {"firmware", "Firmware",
-     "The system data set 0xA0 and NMEA on the main port require firmware later than 1.0.10.", NULL,
-     0, 0},
+    {"firmware", "Firmware", "NMEA on the main port requires firmware later than 1.0.10.", NULL, 0,
+     0},
     {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gq7_gpio_pins_cells, 5,
-     2},
+     3},
     {"nmea_output", "NMEA output",
      "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.", NULL,
      0, 0},
+    {"gnss_signals", "GNSS signals",
+     "Signals that can be enabled together by `gnss.signal_config`, according to MSCL.",
+     gq7_gnss_signals_cells, 5, 2},
+    {"receivers", "GNSS sets",
+     "The set 0x91 is of the first receiver, 0x92 of the second, 0x93 has the RTK corrections.",
+     NULL, 0, 0},
+};
+
+static const struct mip_profile_reading gq7_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_gq7 = {
-    "3dm-gq7",  "3DM-GQ7-GNSS/INS",
-    "3dm-gq7",  "Inertial navigation system with two GNSS receivers.",
+    "3dm-gq7",
+    "3DM-GQ7-GNSS/INS",
+    "3dm-gq7",
+    "Inertial navigation system with two GNSS receivers.",
     6284, /* model number */
     7,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    21,   /* fields */
+    167,  /* fields */
+    0,    /* refused fields */
     6,    /* base rates */
     2,    /* ports */
-    0,    /* limits */
-    4,    /* notes */
-    0,    /* readings */
+    1,    /* limits */
+    6,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
-    gq7_also,   gq7_incomplete,
-    gq7_fields, gq7_rates,
-    gq7_ports,  NULL,
-    gq7_notes,  NULL,
+    gq7_also,
+    gq7_incomplete,
+    gq7_fields,
+    NULL,
+    gq7_rates,
+    gq7_ports,
+    gq7_limits,
+    gq7_notes,
+    gq7_readings,
     NULL,
 };
 
 /* 3DM-GV7-AHRS. */
 
 static const char *const gv7_ahrs_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gv7_ahrs_evidence_1[] = "The vendor's software requests it from every device.";
+static const struct mip_profile_evidence gv7_ahrs_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
-    {0x01, 0x01, "", gv7_ahrs_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ahrs_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ahrs_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ahrs_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ahrs_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", &gv7_ahrs_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gv7_ahrs_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gv7_ahrs_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gv7_ahrs_evidence[4]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gv7_ahrs_evidence[5]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gv7_ahrs_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &gv7_ahrs_evidence[4]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &gv7_ahrs_evidence[5]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &gv7_ahrs_evidence[5]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &gv7_ahrs_evidence[5]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gv7_ahrs_evidence[5]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &gv7_ahrs_evidence[5]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &gv7_ahrs_evidence[0]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &gv7_ahrs_evidence[5]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &gv7_ahrs_evidence[1]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &gv7_ahrs_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gv7_ahrs_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &gv7_ahrs_evidence[2]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &gv7_ahrs_evidence[5]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &gv7_ahrs_evidence[0]},       /* filter.reset */
+    {0x0D, 0x03, "", &gv7_ahrs_evidence[5]},       /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &gv7_ahrs_evidence[1]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &gv7_ahrs_evidence[0]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &gv7_ahrs_evidence[1]},  /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &gv7_ahrs_evidence[5]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &gv7_ahrs_evidence[5]},  /* aiding.echo_control */
+    {0x13, 0x31, "", &gv7_ahrs_evidence[5]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &gv7_ahrs_evidence[5]},       /* aiding.magnetic_field */
+    {0x80, 0x04, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gv7_ahrs_evidence[5]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gv7_ahrs_evidence[5]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &gv7_ahrs_evidence[5]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &gv7_ahrs_evidence[5]},       /* sensor.overrange_status */
+    {0x82, 0x03, "", &gv7_ahrs_evidence[3]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gv7_ahrs_evidence[5]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gv7_ahrs_evidence[0]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gv7_ahrs_evidence[3]},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gv7_ahrs_evidence[3]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gv7_ahrs_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gv7_ahrs_evidence[3]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gv7_ahrs_evidence[3]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &gv7_ahrs_evidence[0]},       /* filter_data.status */
+    {0x82, 0x12, "", &gv7_ahrs_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gv7_ahrs_evidence[3]},       /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &gv7_ahrs_evidence[3]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gv7_ahrs_evidence[3]},       /* filter_data.pressure_altitude */
+    {0xA0, 0x01, "", &gv7_ahrs_evidence[5]},       /* system_data.built_in_test */
+    {0xA0, 0x02, "", &gv7_ahrs_evidence[1]},       /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &gv7_ahrs_evidence[3]},       /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &gv7_ahrs_evidence[0]},       /* shared.event_source */
+    {0xFF, 0xD3, "", &gv7_ahrs_evidence[0]},       /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &gv7_ahrs_evidence[5]},       /* shared.delta_time */
+    {0xFF, 0xD5, "", &gv7_ahrs_evidence[3]},       /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &gv7_ahrs_evidence[5]},       /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &gv7_ahrs_evidence[3]},       /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &gv7_ahrs_evidence[5]},       /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port gv7_ahrs_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
+    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit gv7_ahrs_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const gv7_ahrs_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const gv7_ahrs_gpio_pins_cells[] = {
+    "Pin", "Features",             /* heading */
+    "1",   "GPIO, PPS, timestamp", /* row 1 */
+    "2",   "GPIO, PPS, timestamp", /* row 2 */
+};
+
+static const struct mip_profile_note gv7_ahrs_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     gv7_ahrs_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ahrs_gpio_pins_cells,
+     3, 2},
+};
+
+static const struct mip_profile_reading gv7_ahrs_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_gv7_ahrs = {
@@ -1786,38 +4180,183 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    87,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
-    0,    /* readings */
+    3,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gv7_ahrs_incomplete,
     gv7_ahrs_fields,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
+    gv7_ahrs_ports,
+    gv7_ahrs_limits,
+    gv7_ahrs_notes,
+    gv7_ahrs_readings,
     NULL,
 };
 
 /* 3DM-GV7-AR. */
 
 static const char *const gv7_ar_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gv7_ar_evidence_1[] = "The vendor's software requests it from every device.";
+static const struct mip_profile_evidence gv7_ar_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
 
 static const struct mip_profile_field gv7_ar_fields[] = {
-    {0x01, 0x01, "", gv7_ar_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ar_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ar_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ar_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ar_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", &gv7_ar_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gv7_ar_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gv7_ar_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gv7_ar_evidence[4]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gv7_ar_evidence[5]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gv7_ar_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &gv7_ar_evidence[4]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &gv7_ar_evidence[5]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &gv7_ar_evidence[5]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &gv7_ar_evidence[5]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gv7_ar_evidence[5]},       /* base.soft_reset */
+    {0x0C, 0x0D, "", &gv7_ar_evidence[5]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &gv7_ar_evidence[0]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &gv7_ar_evidence[5]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &gv7_ar_evidence[1]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &gv7_ar_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gv7_ar_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &gv7_ar_evidence[2]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &gv7_ar_evidence[5]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &gv7_ar_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &gv7_ar_evidence[0]},       /* filter.reset */
+    {0x0D, 0x03, "", &gv7_ar_evidence[5]},       /* filter.set_initial_heading */
+    {0x0D, 0x1A, "WRSLD", &gv7_ar_evidence[5]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &gv7_ar_evidence[5]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &gv7_ar_evidence[1]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &gv7_ar_evidence[1]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x53, "WRSLD", &gv7_ar_evidence[1]},  /* filter.adaptive_filter_options */
+    {0x13, 0x01, "WRSLD", &gv7_ar_evidence[5]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &gv7_ar_evidence[5]},  /* aiding.echo_control */
+    {0x13, 0x31, "", &gv7_ar_evidence[5]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &gv7_ar_evidence[5]},       /* aiding.magnetic_field */
+    {0x80, 0x04, "", &gv7_ar_evidence[3]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gv7_ar_evidence[3]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gv7_ar_evidence[3]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gv7_ar_evidence[5]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gv7_ar_evidence[5]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gv7_ar_evidence[3]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gv7_ar_evidence[3]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gv7_ar_evidence[3]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &gv7_ar_evidence[5]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &gv7_ar_evidence[3]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &gv7_ar_evidence[5]},       /* sensor.overrange_status */
+    {0x82, 0x03, "", &gv7_ar_evidence[3]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gv7_ar_evidence[5]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gv7_ar_evidence[0]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gv7_ar_evidence[3]},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gv7_ar_evidence[3]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gv7_ar_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gv7_ar_evidence[3]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gv7_ar_evidence[3]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &gv7_ar_evidence[0]},       /* filter_data.status */
+    {0x82, 0x12, "", &gv7_ar_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gv7_ar_evidence[3]},       /* filter_data.gravity_vector */
+    {0x82, 0x1C, "", &gv7_ar_evidence[3]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gv7_ar_evidence[3]},       /* filter_data.pressure_altitude */
+    {0xA0, 0x01, "", &gv7_ar_evidence[5]},       /* system_data.built_in_test */
+    {0xA0, 0x02, "", &gv7_ar_evidence[1]},       /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &gv7_ar_evidence[3]},       /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &gv7_ar_evidence[0]},       /* shared.event_source */
+    {0xFF, 0xD3, "", &gv7_ar_evidence[0]},       /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &gv7_ar_evidence[5]},       /* shared.delta_time */
+    {0xFF, 0xD5, "", &gv7_ar_evidence[3]},       /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &gv7_ar_evidence[5]},       /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &gv7_ar_evidence[3]},       /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &gv7_ar_evidence[5]},       /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port gv7_ar_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
+    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit gv7_ar_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const gv7_ar_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const gv7_ar_gpio_pins_cells[] = {
+    "Pin", "Features",             /* heading */
+    "1",   "GPIO, PPS, timestamp", /* row 1 */
+    "2",   "GPIO, PPS, timestamp", /* row 2 */
+};
+
+static const struct mip_profile_note gv7_ar_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     gv7_ar_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ar_gpio_pins_cells,
+     3, 2},
+};
+
+static const struct mip_profile_reading gv7_ar_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_gv7_ar = {
@@ -1829,38 +4368,225 @@ const struct mip_profile mip_profile_gv7_ar = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    87,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
-    0,    /* readings */
+    3,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gv7_ar_incomplete,
     gv7_ar_fields,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
+    gv7_ar_ports,
+    gv7_ar_limits,
+    gv7_ar_notes,
+    gv7_ar_readings,
     NULL,
 };
 
 /* 3DM-GV7-INS. */
 
 static const char *const gv7_ins_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gv7_ins_evidence_1[] = "The vendor's software requests it from every device.";
+static const struct mip_profile_evidence gv7_ins_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+};
 
 static const struct mip_profile_field gv7_ins_fields[] = {
-    {0x01, 0x01, "", gv7_ins_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ins_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ins_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ins_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ins_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", &gv7_ins_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gv7_ins_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gv7_ins_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gv7_ins_evidence[4]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gv7_ins_evidence[5]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gv7_ins_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &gv7_ins_evidence[4]},       /* base.get_extended_descriptors */
+    {0x01, 0x08, "", &gv7_ins_evidence[5]},       /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", &gv7_ins_evidence[1]},  /* base.comm_speed */
+    {0x01, 0x72, "WRA", &gv7_ins_evidence[5]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gv7_ins_evidence[5]},       /* base.soft_reset */
+    {0x0C, 0x04, "", &gv7_ins_evidence[5]},       /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", &gv7_ins_evidence[5]},       /* 3dm.poll_data */
+    {0x0C, 0x0E, "", &gv7_ins_evidence[0]},       /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", &gv7_ins_evidence[0]},  /* 3dm.message_format */
+    {0x0C, 0x10, "", &gv7_ins_evidence[5]},       /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", &gv7_ins_evidence[1]},  /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_control */
+    {0x0C, 0x2C, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", &gv7_ins_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gv7_ins_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", &gv7_ins_evidence[1]},  /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", &gv7_ins_evidence[1]},     /* 3dm.gpio_state */
+    {0x0C, 0x50, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_range */
+    {0x0C, 0x53, "", &gv7_ins_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", &gv7_ins_evidence[0]},       /* filter.reset */
+    {0x0D, 0x03, "", &gv7_ins_evidence[5]},       /* filter.set_initial_heading */
+    {0x0D, 0x05, "", &gv7_ins_evidence[5]},       /* filter.run */
+    {0x0D, 0x13, "WRSLD", &gv7_ins_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gnss_source */
+    {0x0D, 0x17, "", &gv7_ins_evidence[5]},       /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", &gv7_ins_evidence[5]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &gv7_ins_evidence[5]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &gv7_ins_evidence[5]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gv7_ins_evidence[5]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", &gv7_ins_evidence[1]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", &gv7_ins_evidence[0]},  /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", &gv7_ins_evidence[0]},  /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", &gv7_ins_evidence[2]},  /* filter.adaptive_filter_options */
+    {0x0D, 0x55, "WRSLD", &gv7_ins_evidence[1]},  /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", &gv7_ins_evidence[5]},  /* filter.reference_point_lever_arm */
+    {0x13, 0x01, "WRSLD", &gv7_ins_evidence[0]},  /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", &gv7_ins_evidence[5]},  /* aiding.echo_control */
+    {0x13, 0x21, "", &gv7_ins_evidence[5]},       /* aiding.ecef_position */
+    {0x13, 0x22, "", &gv7_ins_evidence[0]},       /* aiding.llh_position */
+    {0x13, 0x23, "", &gv7_ins_evidence[5]},       /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, "", &gv7_ins_evidence[5]},       /* aiding.ecef_velocity */
+    {0x13, 0x29, "", &gv7_ins_evidence[0]},       /* aiding.ned_velocity */
+    {0x13, 0x2A, "", &gv7_ins_evidence[0]},       /* aiding.body_frame_velocity */
+    {0x13, 0x31, "", &gv7_ins_evidence[0]},       /* aiding.true_heading */
+    {0x13, 0x32, "", &gv7_ins_evidence[5]},       /* aiding.magnetic_field */
+    {0x13, 0x33, "", &gv7_ins_evidence[5]},       /* aiding.pressure */
+    {0x80, 0x04, "", &gv7_ins_evidence[3]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gv7_ins_evidence[3]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gv7_ins_evidence[3]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gv7_ins_evidence[5]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gv7_ins_evidence[5]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gv7_ins_evidence[3]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gv7_ins_evidence[3]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gv7_ins_evidence[3]},       /* sensor.comp_euler_angles */
+    {0x80, 0x14, "", &gv7_ins_evidence[5]},       /* sensor.temperature_statistics */
+    {0x80, 0x17, "", &gv7_ins_evidence[3]},       /* sensor.scaled_pressure */
+    {0x80, 0x18, "", &gv7_ins_evidence[5]},       /* sensor.overrange_status */
+    {0x82, 0x01, "", &gv7_ins_evidence[0]},       /* filter_data.llh_position */
+    {0x82, 0x02, "", &gv7_ins_evidence[0]},       /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &gv7_ins_evidence[3]},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gv7_ins_evidence[5]},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gv7_ins_evidence[0]},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gv7_ins_evidence[3]},       /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &gv7_ins_evidence[3]},       /* filter_data.accel_bias */
+    {0x82, 0x08, "", &gv7_ins_evidence[5]},       /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &gv7_ins_evidence[5]},       /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &gv7_ins_evidence[3]},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gv7_ins_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &gv7_ins_evidence[3]},       /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &gv7_ins_evidence[3]},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gv7_ins_evidence[3]},       /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &gv7_ins_evidence[0]},       /* filter_data.status */
+    {0x82, 0x12, "", &gv7_ins_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gv7_ins_evidence[3]},       /* filter_data.gravity_vector */
+    {0x82, 0x15, "", &gv7_ins_evidence[5]},       /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &gv7_ins_evidence[3]},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gv7_ins_evidence[3]},       /* filter_data.pressure_altitude */
+    {0x82, 0x36, "", &gv7_ins_evidence[1]},       /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &gv7_ins_evidence[5]},       /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &gv7_ins_evidence[1]},       /* filter_data.ecef_position */
+    {0x82, 0x41, "", &gv7_ins_evidence[5]},       /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", &gv7_ins_evidence[1]},       /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", &gv7_ins_evidence[5]},       /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", &gv7_ins_evidence[1]},       /* filter_data.aiding_measurement_summary */
+    {0x82, 0x50, "", &gv7_ins_evidence[5]},       /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, "", &gv7_ins_evidence[5]}, /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x94, 0x03, "", &gv7_ins_evidence[5]}, /* gnss_external.llh_position */
+    {0x94, 0x05, "", &gv7_ins_evidence[5]}, /* gnss_external.ned_velocity */
+    {0x94, 0x08, "", &gv7_ins_evidence[5]}, /* gnss_external.utc_time */
+    {0x94, 0x0B, "", &gv7_ins_evidence[5]}, /* gnss_external.fix_info */
+    {0x94, 0x20, "", &gv7_ins_evidence[5]}, /* gnss_external.satellite_status */
+    {0xA0, 0x01, "", &gv7_ins_evidence[5]}, /* system_data.built_in_test */
+    {0xA0, 0x02, "", &gv7_ins_evidence[3]}, /* system_data.time_sync_status */
+    {0xA0, 0x03, "", &gv7_ins_evidence[3]}, /* system_data.gpio_state */
+    {0xFF, 0xD0, "", &gv7_ins_evidence[5]}, /* shared.event_source */
+    {0xFF, 0xD3, "", &gv7_ins_evidence[0]}, /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", &gv7_ins_evidence[5]}, /* shared.delta_time */
+    {0xFF, 0xD5, "", &gv7_ins_evidence[3]}, /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", &gv7_ins_evidence[5]}, /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", &gv7_ins_evidence[3]}, /* shared.external_timestamp */
+    {0xFF, 0xD8, "", &gv7_ins_evidence[5]}, /* shared.external_time_delta */
+};
+
+static const struct mip_profile_port gv7_ins_ports[] = {
+    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
+    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
+    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"},
+    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
+};
+
+static const struct mip_profile_limit gv7_ins_limits[] = {
+    {"aiding_frames", 4, "",
+     "Frames that the aiding frame configuration can define, according to MSCL."},
+};
+
+static const char *const gv7_ins_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const gv7_ins_gpio_pins_cells[] = {
+    "Pin", "Features",                     /* heading */
+    "1",   "GPIO, PPS, timestamp, UART 2", /* row 1 */
+    "2",   "GPIO, PPS, timestamp, UART 2", /* row 2 */
+};
+
+static const struct mip_profile_note gv7_ins_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
+     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
+     gv7_ins_anti_aliasing_cells, 8, 3},
+    {"ports", "Ports",
+     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
+     "pins GPIO 1 and 2.",
+     NULL, 0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ins_gpio_pins_cells,
+     3, 2},
+};
+
+static const struct mip_profile_reading gv7_ins_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
+    {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
+    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_gv7_ins = {
@@ -1872,41 +4598,56 @@ const struct mip_profile mip_profile_gv7_ins = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    126,  /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
-    0,    /* readings */
+    4,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    8,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gv7_ins_incomplete,
     gv7_ins_fields,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
+    gv7_ins_ports,
+    gv7_ins_limits,
+    gv7_ins_notes,
+    gv7_ins_readings,
     NULL,
 };
 
 /* 3DM-GX3-15. */
 
 static const char *const gx3_15_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
 };
 
-static const char gx3_15_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx3_15_evidence_2[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence gx3_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
+};
 
 static const struct mip_profile_field gx3_15_fields[] = {
-    {0x01, 0x01, "", gx3_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &gx3_15_evidence[1]},      /* base.ping */
+    {0x01, 0x02, "", &gx3_15_evidence[1]},      /* base.set_idle */
+    {0x01, 0x03, "", &gx3_15_evidence[1]},      /* base.get_device_info */
+    {0x01, 0x04, "", &gx3_15_evidence[1]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx3_15_evidence[1]},      /* base.built_in_test */
+    {0x01, 0x06, "", &gx3_15_evidence[1]},      /* base.resume */
+    {0x0C, 0x01, "", &gx3_15_evidence[1]},      /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &gx3_15_evidence[1]},      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.data_stream_control */
+    {0x0C, 0x35, "WRSLD", &gx3_15_evidence[0]}, /* 3dm.imu_signal_conditioning */
+    {0x0C, 0x36, "WR", &gx3_15_evidence[1]},    /* 3dm.imu_timestamp */
+    {0x0C, 0x61, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.device_power_state */
+    {0x0C, 0x64, "", &gx3_15_evidence[1]},      /* 3dm.device_status */
+    {0x80, 0x04, "", &gx3_15_evidence[1]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx3_15_evidence[1]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx3_15_evidence[1]},      /* sensor.scaled_mag */
 };
 
 static const struct mip_profile_reading gx3_15_readings[] = {
@@ -1918,12 +4659,13 @@ const struct mip_profile mip_profile_gx3_15 = {
     "3dm-gx3-15",
     "3DM-GX3-15",
     "",
-    "Device of generation 3, known only by its name and its number.",
+    "Inertial sensor of generation 3.",
     6227, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    17,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1937,6 +4679,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     NULL,
     NULL,
     NULL,
+    NULL,
     gx3_15_readings,
     NULL,
 };
@@ -1944,20 +4687,69 @@ const struct mip_profile mip_profile_gx3_15 = {
 /* 3DM-GX3-25. */
 
 static const char *const gx3_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
 };
 
-static const char gx3_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx3_25_evidence_2[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence gx3_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
+    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 347)."},
+    {MIP_SUPPORT_NO,
+     "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213)."},
+};
 
 static const struct mip_profile_field gx3_25_fields[] = {
-    {0x01, 0x01, "", gx3_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &gx3_25_evidence[2]},      /* base.ping */
+    {0x01, 0x02, "", &gx3_25_evidence[2]},      /* base.set_idle */
+    {0x01, 0x03, "", &gx3_25_evidence[2]},      /* base.get_device_info */
+    {0x01, 0x04, "", &gx3_25_evidence[2]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx3_25_evidence[2]},      /* base.built_in_test */
+    {0x01, 0x06, "", &gx3_25_evidence[2]},      /* base.resume */
+    {0x0C, 0x01, "", &gx3_25_evidence[2]},      /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &gx3_25_evidence[2]},      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx3_25_evidence[2]}, /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &gx3_25_evidence[2]}, /* 3dm.data_stream_control */
+    {0x0C, 0x35, "WRSLD", &gx3_25_evidence[0]}, /* 3dm.imu_signal_conditioning */
+    {0x0C, 0x36, "WR", &gx3_25_evidence[2]},    /* 3dm.imu_timestamp */
+    {0x0C, 0x61, "WRSLD", &gx3_25_evidence[1]}, /* 3dm.device_power_state */
+    {0x0C, 0x64, "", &gx3_25_evidence[2]},      /* 3dm.device_status */
+    {0x80, 0x04, "", &gx3_25_evidence[2]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx3_25_evidence[2]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx3_25_evidence[2]},      /* sensor.scaled_mag */
+};
+
+static const struct mip_profile_field gx3_25_refuses[] = {
+    {0x0C, 0x0C, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.nmea_message_format */
+    {0x0C, 0x22, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x43, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.odometer_config */
+    {0x0D, 0x10, "WRSLD", &gx3_25_evidence[3]}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x13, "WRSLD", &gx3_25_evidence[3]}, /* filter.antenna_offset */
+    {0x0D, 0x43, "WRSLD", &gx3_25_evidence[3]}, /* filter.magnetic_declination_source */
+    {0x0D, 0x54, "WRSLD", &gx3_25_evidence[3]}, /* filter.multi_antenna_offset */
+    {0x0E, 0x02, "WRSLD", &gx3_25_evidence[3]}, /* gnss.signal_config */
+    {0x0E, 0x10, "WRSLD", &gx3_25_evidence[3]}, /* gnss.rtk_dongle_config */
+    {0x81, 0x03, "", &gx3_25_evidence[4]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &gx3_25_evidence[4]},      /* gnss_data.ned_velocity */
+    {0x81, 0x0B, "", &gx3_25_evidence[4]},      /* gnss_data.fix_info */
+    {0x82, 0x01, "", &gx3_25_evidence[3]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gx3_25_evidence[3]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &gx3_25_evidence[3]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x08, "", &gx3_25_evidence[3]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &gx3_25_evidence[3]},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &gx3_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0E, "", &gx3_25_evidence[3]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", &gx3_25_evidence[3]},      /* filter_data.status */
+    {0x82, 0x36, "", &gx3_25_evidence[3]},      /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", &gx3_25_evidence[3]},      /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", &gx3_25_evidence[3]},      /* filter_data.ecef_position */
+    {0x82, 0x41, "", &gx3_25_evidence[3]},      /* filter_data.ecef_velocity */
+    {0x82, 0x43, "", &gx3_25_evidence[4]},      /* filter_data.gnss_position_aiding_status */
+    {0x91, 0x03, "", &gx3_25_evidence[4]},      /* gnss_1.llh_position */
+    {0x91, 0x05, "", &gx3_25_evidence[4]},      /* gnss_1.ned_velocity */
+    {0x91, 0x0B, "", &gx3_25_evidence[4]},      /* gnss_1.fix_info */
 };
 
 static const struct mip_profile_reading gx3_25_readings[] = {
@@ -1969,12 +4761,13 @@ const struct mip_profile mip_profile_gx3_25 = {
     "3dm-gx3-25",
     "3DM-GX3-25",
     "",
-    "Device of generation 3, known only by its name and its number.",
+    "Inertial sensor of generation 3.",
     6223, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    17,   /* fields */
+    28,   /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1984,6 +4777,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     NULL,
     gx3_25_incomplete,
     gx3_25_fields,
+    gx3_25_refuses,
     NULL,
     NULL,
     NULL,
@@ -1995,28 +4789,48 @@ const struct mip_profile mip_profile_gx3_25 = {
 /* 3DM-GX3-35. */
 
 static const char *const gx3_35_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (1.00 of 2011-01-04) is not known.",
 };
 
-static const char gx3_35_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx3_35_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx3_35_evidence_3[] = "The SDK of 2014 has an example for this device.";
+static const struct mip_profile_evidence gx3_35_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+};
 
 static const struct mip_profile_field gx3_35_fields[] = {
-    {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_35_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_35_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_35_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_35_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_35_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x34, "WRSLD", gx3_35_evidence_3}, /* 3dm.gps_dynamics_mode */
-    {0x0C, 0x35, "WRSLD", gx3_35_evidence_3}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", gx3_35_evidence_3},    /* 3dm.imu_timestamp */
-    {0x0C, 0x60, "WRSLD", gx3_35_evidence_3}, /* 3dm.data_stream_format */
-    {0x0C, 0x61, "WRSLD", gx3_35_evidence_3}, /* 3dm.device_power_state */
-    {0x0C, 0x62, "SLD", gx3_35_evidence_3},   /* 3dm.gps_advanced_settings */
+    {0x01, 0x01, "", &gx3_35_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &gx3_35_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &gx3_35_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &gx3_35_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx3_35_evidence[0]},      /* base.built_in_test */
+    {0x01, 0x06, "", &gx3_35_evidence[0]},      /* base.resume */
+    {0x0C, 0x01, "", &gx3_35_evidence[0]},      /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gx3_35_evidence[0]},      /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "", &gx3_35_evidence[0]},      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gx3_35_evidence[0]},      /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.gnss_message_format */
+    {0x0C, 0x11, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.data_stream_control */
+    {0x0C, 0x34, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.gps_dynamics_mode */
+    {0x0C, 0x35, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.imu_signal_conditioning */
+    {0x0C, 0x36, "WR", &gx3_35_evidence[0]},    /* 3dm.imu_timestamp */
+    {0x0C, 0x60, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.data_stream_format */
+    {0x0C, 0x61, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.device_power_state */
+    {0x0C, 0x62, "SLD", &gx3_35_evidence[1]},   /* 3dm.gps_advanced_settings */
+    {0x0C, 0x64, "", &gx3_35_evidence[0]},      /* 3dm.device_status */
+    {0x7F, 0x10, "WRSLD", &gx3_35_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx3_35_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx3_35_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx3_35_evidence[0]},      /* sensor.scaled_mag */
+    {0x81, 0x03, "", &gx3_35_evidence[0]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &gx3_35_evidence[0]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &gx3_35_evidence[0]},      /* gnss_data.gps_time */
+};
+
+static const struct mip_profile_note gx3_35_notes[] = {
+    {"receiver", "Receiver", "The GNSS receiver is of u-blox.", NULL, 0, 0},
 };
 
 static const struct mip_profile_reading gx3_35_readings[] = {
@@ -2028,16 +4842,17 @@ const struct mip_profile mip_profile_gx3_35 = {
     "3dm-gx3-35",
     "3DM-GX3-35",
     "",
-    "Device of generation 3, known only by its name and its number.",
+    "Inertial sensor of generation 3.",
     6225, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    12,   /* fields */
+    27,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    0,    /* notes */
+    1,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
     NULL,
@@ -2047,6 +4862,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     NULL,
     NULL,
     NULL,
+    gx3_35_notes,
     gx3_35_readings,
     NULL,
 };
@@ -2054,29 +4870,65 @@ const struct mip_profile mip_profile_gx3_35 = {
 /* 3DM-GX3-45. */
 
 static const char *const gx3_45_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gx3_45_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx3_45_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx3_45_evidence_3[] = "The SDK of 2014 has an example for this device.";
+static const struct mip_profile_evidence gx3_45_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
+};
 
 static const struct mip_profile_field gx3_45_fields[] = {
-    {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0D, 0x04, "", gx3_45_evidence_3},      /* filter.set_initial_attitude_from_imu */
-    {0x0D, 0x10, "WRSLD", gx3_45_evidence_2}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x14, "WRSLD", gx3_45_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx3_45_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &gx3_45_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &gx3_45_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &gx3_45_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &gx3_45_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx3_45_evidence[0]},      /* base.built_in_test */
+    {0x01, 0x06, "", &gx3_45_evidence[2]},      /* base.resume */
+    {0x0C, 0x01, "", &gx3_45_evidence[2]},      /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gx3_45_evidence[2]},      /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "", &gx3_45_evidence[0]},      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gx3_45_evidence[0]},      /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx3_45_evidence[0]},      /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.data_stream_control */
+    {0x0C, 0x35, "WRSLD", &gx3_45_evidence[2]}, /* 3dm.imu_signal_conditioning */
+    {0x0C, 0x36, "WR", &gx3_45_evidence[2]},    /* 3dm.imu_timestamp */
+    {0x0C, 0x64, "", &gx3_45_evidence[2]},      /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx3_45_evidence[0]},      /* filter.reset */
+    {0x0D, 0x02, "", &gx3_45_evidence[0]},      /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx3_45_evidence[0]},      /* filter.set_initial_heading */
+    {0x0D, 0x04, "", &gx3_45_evidence[0]},      /* filter.set_initial_attitude_from_imu */
+    {0x0D, 0x10, "WRSLD", &gx3_45_evidence[0]}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &gx3_45_evidence[0]}, /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &gx3_45_evidence[0]}, /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &gx3_45_evidence[0]}, /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &gx3_45_evidence[0]}, /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &gx3_45_evidence[0]}, /* filter.gnss_source */
+    {0x0D, 0x18, "WRSLD", &gx3_45_evidence[0]}, /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx3_45_evidence[0]}, /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx3_45_evidence[0]}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx3_45_evidence[0]}, /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gx3_45_evidence[0]}, /* filter.gyro_bias_model */
     {0x0D, 0x44, "WRSLD",
-     gx3_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx3_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &gx3_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx3_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &gx3_45_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx3_45_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx3_45_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx3_45_evidence[0]},      /* sensor.scaled_mag */
+    {0x81, 0x03, "", &gx3_45_evidence[0]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &gx3_45_evidence[0]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &gx3_45_evidence[0]},      /* gnss_data.gps_time */
+    {0x82, 0x01, "", &gx3_45_evidence[0]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gx3_45_evidence[0]},      /* filter_data.ned_velocity */
+    {0x82, 0x05, "", &gx3_45_evidence[0]},      /* filter_data.euler_angles */
 };
 
 static const struct mip_profile_reading gx3_45_readings[] = {
@@ -2088,12 +4940,13 @@ const struct mip_profile mip_profile_gx3_45 = {
     "3dm-gx3-45",
     "3DM-GX3-45",
     "",
-    "Device of generation 3, known only by its name and its number.",
+    "Inertial sensor of generation 3.",
     6228, /* model number */
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    12,   /* fields */
+    45,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2107,6 +4960,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     NULL,
     NULL,
     NULL,
+    NULL,
     gx3_45_readings,
     NULL,
 };
@@ -2114,30 +4968,90 @@ const struct mip_profile mip_profile_gx3_45 = {
 /* 3DM-GX4-15. */
 
 static const char *const gx4_15_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gx4_15_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx4_15_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx4_15_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence gx4_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX4-25."},
+};
 
 static const struct mip_profile_field gx4_15_fields[] = {
-    {0x01, 0x01, "", gx4_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_15_evidence_2}, /* filter.estimation_control */
+    {0x01, 0x01, "", &gx4_15_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx4_15_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx4_15_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx4_15_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx4_15_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx4_15_evidence[2]},       /* base.resume */
+    {0x01, 0x7E, "", &gx4_15_evidence[2]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx4_15_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &gx4_15_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx4_15_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx4_15_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx4_15_evidence[2]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx4_15_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx4_15_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx4_15_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx4_15_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx4_15_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx4_15_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx4_15_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x14, "WRSLD", &gx4_15_evidence[0]},  /* filter.estimation_control */
+    {0x0D, 0x19, "WRSLD", &gx4_15_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx4_15_evidence[0]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx4_15_evidence[0]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gx4_15_evidence[0]},  /* filter.gyro_bias_model */
+    {0x0D, 0x20, "WRSLD", &gx4_15_evidence[0]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &gx4_15_evidence[0]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &gx4_15_evidence[0]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &gx4_15_evidence[0]},  /* filter.reference_position */
     {0x0D, 0x44, "WRSLD",
-     gx4_15_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_15_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &gx4_15_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx4_15_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &gx4_15_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx4_15_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx4_15_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx4_15_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx4_15_evidence[2]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx4_15_evidence[2]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx4_15_evidence[2]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx4_15_evidence[2]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx4_15_evidence[2]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx4_15_evidence[2]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx4_15_evidence[2]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx4_15_evidence[2]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx4_15_evidence[2]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &gx4_15_evidence[2]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx4_15_evidence[2]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx4_15_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx4_15_evidence[2]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gx4_15_evidence[2]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx4_15_evidence[2]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gx4_15_evidence[2]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx4_15_evidence[2]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx4_15_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx4_15_evidence[2]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx4_15_evidence[2]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx4_15_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx4_15_evidence[2]},      /* filter_data.gravity_vector */
 };
 
 static const struct mip_profile_note gx4_15_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
@@ -2147,27 +5061,32 @@ static const struct mip_profile_note gx4_15_notes[] = {
 static const struct mip_profile_reading gx4_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx4_15 = {
     "3dm-gx4-15",
     "3DM-GX4-15",
     "",
-    "Device of generation 4, known only by its name and its number.",
+    "Device of generation 4.",
     6233, /* model number */
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    10,   /* fields */
+    63,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    1,    /* notes */
-    2,    /* readings */
+    2,    /* notes */
+    5,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_15_incomplete,
     gx4_15_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2179,31 +5098,113 @@ const struct mip_profile mip_profile_gx4_15 = {
 /* 3DM-GX4-25. */
 
 static const char *const gx4_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (of 2014-12-23) is not known.",
 };
 
-static const char gx4_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx4_25_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx4_25_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence gx4_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (Public programs of users: Driver imu_3dm_gx4)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25."},
+    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 30)."},
+};
 
 static const struct mip_profile_field gx4_25_fields[] = {
-    {0x01, 0x01, "", gx4_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &gx4_25_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx4_25_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx4_25_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx4_25_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx4_25_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx4_25_evidence[1]},       /* base.resume */
+    {0x01, 0x7E, "", &gx4_25_evidence[2]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx4_25_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &gx4_25_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx4_25_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx4_25_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx4_25_evidence[2]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx4_25_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gx4_25_evidence[2]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx4_25_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx4_25_evidence[2]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx4_25_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx4_25_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx4_25_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx4_25_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &gx4_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &gx4_25_evidence[0]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &gx4_25_evidence[0]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gx4_25_evidence[0]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx4_25_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx4_25_evidence[0]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx4_25_evidence[0]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gx4_25_evidence[0]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &gx4_25_evidence[0]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gx4_25_evidence[0]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &gx4_25_evidence[0]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &gx4_25_evidence[0]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &gx4_25_evidence[0]},  /* filter.reference_position */
+    {0x0D, 0x41, "WRSLD", &gx4_25_evidence[1]},  /* filter.enable_measurements */
+    {0x0D, 0x42, "WRSLD", &gx4_25_evidence[0]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &gx4_25_evidence[0]},  /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD",
-     gx4_25_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_25_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &gx4_25_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx4_25_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &gx4_25_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &gx4_25_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx4_25_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx4_25_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx4_25_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx4_25_evidence[2]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx4_25_evidence[2]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx4_25_evidence[2]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx4_25_evidence[2]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx4_25_evidence[2]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx4_25_evidence[2]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx4_25_evidence[2]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx4_25_evidence[2]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx4_25_evidence[1]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &gx4_25_evidence[1]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx4_25_evidence[2]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx4_25_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx4_25_evidence[1]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gx4_25_evidence[1]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx4_25_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gx4_25_evidence[2]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx4_25_evidence[2]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx4_25_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx4_25_evidence[2]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx4_25_evidence[2]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx4_25_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx4_25_evidence[2]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &gx4_25_evidence[2]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &gx4_25_evidence[2]},      /* filter_data.magnetic_model */
+};
+
+static const struct mip_profile_field gx4_25_refuses[] = {
+    {0x82, 0x07, "", &gx4_25_evidence[3]}, /* filter_data.accel_bias */
+};
+
+static const struct mip_profile_rate gx4_25_rates[] = {
+    {0x80, 1000},
+    {0x82, 500},
 };
 
 static const struct mip_profile_note gx4_25_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
@@ -2213,28 +5214,33 @@ static const struct mip_profile_note gx4_25_notes[] = {
 static const struct mip_profile_reading gx4_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx4_25 = {
     "3dm-gx4-25",
     "3DM-GX4-25",
     "",
-    "Device of generation 4, known only by its name and its number.",
+    "Device of generation 4.",
     6234, /* model number */
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    11,   /* fields */
-    0,    /* base rates */
+    75,   /* fields */
+    1,    /* refused fields */
+    2,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    1,    /* notes */
-    2,    /* readings */
+    2,    /* notes */
+    5,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_25_incomplete,
     gx4_25_fields,
-    NULL,
+    gx4_25_refuses,
+    gx4_25_rates,
     NULL,
     NULL,
     gx4_25_notes,
@@ -2245,31 +5251,115 @@ const struct mip_profile mip_profile_gx4_25 = {
 /* 3DM-GX4-45. */
 
 static const char *const gx4_45_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gx4_45_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx4_45_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx4_45_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence gx4_45_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25."},
+};
 
 static const struct mip_profile_field gx4_45_fields[] = {
-    {0x01, 0x01, "", gx4_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_45_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_45_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_45_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &gx4_45_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx4_45_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx4_45_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx4_45_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx4_45_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx4_45_evidence[1]},       /* base.resume */
+    {0x01, 0x7E, "", &gx4_45_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx4_45_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gx4_45_evidence[0]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &gx4_45_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx4_45_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gx4_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx4_45_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx4_45_evidence[1]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx4_45_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx4_45_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx4_45_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx4_45_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx4_45_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &gx4_45_evidence[0]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &gx4_45_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &gx4_45_evidence[0]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &gx4_45_evidence[0]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &gx4_45_evidence[0]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &gx4_45_evidence[0]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &gx4_45_evidence[0]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &gx4_45_evidence[0]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gx4_45_evidence[0]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx4_45_evidence[0]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx4_45_evidence[0]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &gx4_45_evidence[0]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &gx4_45_evidence[0]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &gx4_45_evidence[0]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &gx4_45_evidence[0]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &gx4_45_evidence[0]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &gx4_45_evidence[0]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x42, "WRSLD", &gx4_45_evidence[0]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &gx4_45_evidence[0]},  /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD",
-     gx4_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &gx4_45_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx4_45_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &gx4_45_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &gx4_45_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx4_45_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx4_45_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx4_45_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx4_45_evidence[1]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx4_45_evidence[1]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx4_45_evidence[1]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx4_45_evidence[1]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx4_45_evidence[1]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx4_45_evidence[1]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx4_45_evidence[1]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx4_45_evidence[1]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx4_45_evidence[1]},      /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &gx4_45_evidence[0]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &gx4_45_evidence[0]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &gx4_45_evidence[0]},      /* gnss_data.gps_time */
+    {0x82, 0x01, "", &gx4_45_evidence[0]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gx4_45_evidence[0]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &gx4_45_evidence[1]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx4_45_evidence[1]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx4_45_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx4_45_evidence[1]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gx4_45_evidence[1]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx4_45_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gx4_45_evidence[1]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx4_45_evidence[1]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx4_45_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx4_45_evidence[1]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx4_45_evidence[1]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx4_45_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx4_45_evidence[1]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &gx4_45_evidence[1]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &gx4_45_evidence[1]},      /* filter_data.magnetic_model */
 };
 
 static const struct mip_profile_note gx4_45_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
@@ -2279,27 +5369,32 @@ static const struct mip_profile_note gx4_45_notes[] = {
 static const struct mip_profile_reading gx4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx4_45 = {
     "3dm-gx4-45",
     "3DM-GX4-45",
     "",
-    "Device of generation 4, known only by its name and its number.",
+    "Device of generation 4.",
     6236, /* model number */
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    11,   /* fields */
+    89,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    1,    /* notes */
-    2,    /* readings */
+    2,    /* notes */
+    5,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_45_incomplete,
     gx4_45_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2315,24 +5410,42 @@ static const char *const gx5_10_also[] = {
 };
 
 static const char *const gx5_10_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char gx5_10_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx5_10_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx5_10_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence gx5_10_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+};
 
 static const struct mip_profile_field gx5_10_fields[] = {
-    {0x01, 0x01, "", gx5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", gx5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", gx5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", &gx5_10_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx5_10_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx5_10_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx5_10_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx5_10_evidence[1]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx5_10_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &gx5_10_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &gx5_10_evidence[1]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gx5_10_evidence[1]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx5_10_evidence[1]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x06, "", &gx5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx5_10_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x11, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx5_10_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx5_10_evidence[1]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx5_10_evidence[1]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx5_10_evidence[1]},       /* 3dm.device_status */
+    {0x80, 0x04, "", &gx5_10_evidence[0]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx5_10_evidence[0]},       /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &gx5_10_evidence[1]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx5_10_evidence[1]},       /* sensor.delta_velocity */
+    {0x80, 0x12, "", &gx5_10_evidence[1]},       /* sensor.gps_timestamp */
 };
 
 static const struct mip_profile_note gx5_10_notes[] = {
@@ -2343,6 +5456,7 @@ static const struct mip_profile_note gx5_10_notes[] = {
 };
 
 static const struct mip_profile_reading gx5_10_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
@@ -2356,16 +5470,18 @@ const struct mip_profile mip_profile_gx5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    8,    /* fields */
+    27,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
     gx5_10_also,
     gx5_10_incomplete,
     gx5_10_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -2380,80 +5496,91 @@ static const char *const gx5_15_also[] = {
     "3DM-GX5-AR",
 };
 
+static const struct mip_profile_evidence gx5_15_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 301)."},
+};
+
 static const struct mip_profile_field gx5_15_fields[] = {
-    {0x01, 0x01, "", NULL},       /* base.ping */
-    {0x01, 0x02, "", NULL},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},       /* base.get_device_info */
-    {0x01, 0x04, "", NULL},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},       /* base.built_in_test */
-    {0x01, 0x06, "", NULL},       /* base.resume */
-    {0x01, 0x07, "", NULL},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", NULL},    /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},       /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", NULL},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", NULL},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", NULL},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},       /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},       /* filter.reset */
-    {0x0D, 0x02, "", NULL},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", NULL},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", NULL},  /* filter.estimation_control */
-    {0x0D, 0x17, "", NULL},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", NULL},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", NULL},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", NULL},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", NULL},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", NULL},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", NULL},   /* filter.tare_orientation */
-    {0x0D, 0x23, "", NULL},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", NULL},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", NULL},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", NULL},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD", NULL},  /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", NULL},  /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", NULL},  /* system.comm_mode */
-    {0x80, 0x04, "", NULL},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", NULL},       /* sensor.delta_theta */
-    {0x80, 0x08, "", NULL},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", NULL},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", NULL},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", NULL},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", NULL},       /* sensor.north_vector */
-    {0x80, 0x11, "", NULL},       /* sensor.up_vector */
-    {0x80, 0x12, "", NULL},       /* sensor.gps_timestamp */
-    {0x80, 0x17, "", NULL},       /* sensor.scaled_pressure */
-    {0x82, 0x03, "", NULL},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", NULL},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", NULL},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", NULL},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", NULL},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", NULL},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", NULL},       /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", NULL},       /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", NULL},       /* filter_data.status */
-    {0x82, 0x11, "", NULL},       /* filter_data.timestamp */
-    {0x82, 0x12, "", NULL},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", NULL},       /* filter_data.gravity_vector */
-    {0x82, 0x14, "", NULL},       /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", NULL},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", NULL},       /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", &gx5_15_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx5_15_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx5_15_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx5_15_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx5_15_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx5_15_evidence[0]},       /* base.resume */
+    {0x01, 0x07, "", &gx5_15_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &gx5_15_evidence[0]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gx5_15_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx5_15_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &gx5_15_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx5_15_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx5_15_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx5_15_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx5_15_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx5_15_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx5_15_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx5_15_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &gx5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &gx5_15_evidence[0]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &gx5_15_evidence[0]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gx5_15_evidence[0]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx5_15_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx5_15_evidence[0]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx5_15_evidence[0]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gx5_15_evidence[0]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", &gx5_15_evidence[0]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gx5_15_evidence[0]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD", &gx5_15_evidence[0]},   /* filter.tare_orientation */
+    {0x0D, 0x23, "", &gx5_15_evidence[0]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &gx5_15_evidence[0]},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD", &gx5_15_evidence[0]},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD", &gx5_15_evidence[0]},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD",
+     &gx5_15_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", &gx5_15_evidence[0]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &gx5_15_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx5_15_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx5_15_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x07, "", &gx5_15_evidence[0]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx5_15_evidence[0]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx5_15_evidence[0]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx5_15_evidence[0]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx5_15_evidence[0]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx5_15_evidence[0]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx5_15_evidence[0]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx5_15_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx5_15_evidence[0]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &gx5_15_evidence[0]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx5_15_evidence[0]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx5_15_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx5_15_evidence[0]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gx5_15_evidence[0]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx5_15_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gx5_15_evidence[0]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx5_15_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx5_15_evidence[0]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx5_15_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx5_15_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx5_15_evidence[0]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx5_15_evidence[0]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &gx5_15_evidence[0]},      /* filter_data.heading_update_state */
+    {0x82, 0x1C, "", &gx5_15_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gx5_15_evidence[0]},      /* filter_data.pressure_altitude */
+};
+
+static const struct mip_profile_field gx5_15_refuses[] = {
+    {0x80, 0x01, "", &gx5_15_evidence[1]}, /* sensor.raw_accel */
+    {0x80, 0x02, "", &gx5_15_evidence[1]}, /* sensor.raw_gyro */
 };
 
 static const struct mip_profile_rate gx5_15_rates[] = {
@@ -2464,8 +5591,8 @@ static const struct mip_profile_rate gx5_15_rates[] = {
 static const uint32_t gx5_15_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
 
 static const struct mip_profile_port gx5_15_ports[] = {
-    {"UART 1", 0x00, 6, gx5_15_baud_rates_1, "MIP"},
-    {"USB", 0x00, 0, NULL, "MIP"},
+    {"UART 1", 0x00, 6, gx5_15_baud_rates_1, "MIP", "MIP"},
+    {"USB", 0x00, 0, NULL, "MIP", "MIP"},
 };
 
 static const struct mip_profile_limit gx5_15_limits[] = {
@@ -2532,6 +5659,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     1,    /* other names */
     0,    /* what is not known */
     73,   /* fields */
+    2,    /* refused fields */
     2,    /* base rates */
     2,    /* ports */
     4,    /* limits */
@@ -2541,6 +5669,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     gx5_15_also,
     NULL,
     gx5_15_fields,
+    gx5_15_refuses,
     gx5_15_rates,
     gx5_15_ports,
     gx5_15_limits,
@@ -2556,25 +5685,142 @@ static const char *const gx5_25_also[] = {
 };
 
 static const char *const gx5_25_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "Its manual (8500-0065) is not known.",
 };
 
-static const char gx5_25_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char gx5_25_evidence_2[] = "MSCL lists the choices for this device.";
-
-static const char gx5_25_evidence_3[] = "MSCL requests it from this device.";
+static const struct mip_profile_evidence gx5_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "A list by others after its manual has it (Public programs of users: "
+                           "Parser of 3DM-GX5-25 data in MATLAB, 2018)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver microstrain_mips: Conditions by model)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 238)."},
+    {MIP_SUPPORT_NO,
+     "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368)."},
+    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain "
+                     "Communication Library: Issue 200)."},
+};
 
 static const struct mip_profile_field gx5_25_fields[] = {
-    {0x01, 0x01, "", gx5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", &gx5_25_evidence[1]},       /* base.ping */
+    {0x01, 0x02, "", &gx5_25_evidence[1]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx5_25_evidence[2]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx5_25_evidence[5]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx5_25_evidence[6]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx5_25_evidence[1]},       /* base.resume */
+    {0x01, 0x07, "", &gx5_25_evidence[5]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &gx5_25_evidence[6]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gx5_25_evidence[6]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx5_25_evidence[6]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", &gx5_25_evidence[6]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx5_25_evidence[1]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx5_25_evidence[1]},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx5_25_evidence[1]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx5_25_evidence[1]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", &gx5_25_evidence[1]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx5_25_evidence[1]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx5_25_evidence[6]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx5_25_evidence[6]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx5_25_evidence[3]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx5_25_evidence[2]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx5_25_evidence[3]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx5_25_evidence[3]},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", &gx5_25_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", &gx5_25_evidence[3]},  /* filter.estimation_control */
+    {0x0D, 0x17, "", &gx5_25_evidence[6]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gx5_25_evidence[2]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx5_25_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx5_25_evidence[3]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx5_25_evidence[3]},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", &gx5_25_evidence[3]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &gx5_25_evidence[3]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &gx5_25_evidence[6]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gx5_25_evidence[3]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &gx5_25_evidence[3]},  /* filter.tare_orientation */
+    {0x0D, 0x23, "", &gx5_25_evidence[6]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &gx5_25_evidence[3]},  /* filter.reference_position */
+    {0x0D, 0x27, "WS", &gx5_25_evidence[6]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &gx5_25_evidence[6]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &gx5_25_evidence[6]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &gx5_25_evidence[6]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &gx5_25_evidence[6]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x41, "WRSLD", &gx5_25_evidence[6]},  /* filter.enable_measurements */
+    {0x0D, 0x42, "WRSLD", &gx5_25_evidence[4]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &gx5_25_evidence[6]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &gx5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx5_25_evidence[4]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &gx5_25_evidence[6]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &gx5_25_evidence[6]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &gx5_25_evidence[6]}, /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", &gx5_25_evidence[3]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx5_25_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx5_25_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx5_25_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx5_25_evidence[0]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx5_25_evidence[0]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx5_25_evidence[0]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx5_25_evidence[0]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx5_25_evidence[0]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx5_25_evidence[0]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx5_25_evidence[0]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx5_25_evidence[0]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx5_25_evidence[0]},      /* sensor.scaled_pressure */
+    {0x82, 0x03, "", &gx5_25_evidence[0]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx5_25_evidence[0]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx5_25_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx5_25_evidence[0]},      /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", &gx5_25_evidence[0]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx5_25_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", &gx5_25_evidence[0]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx5_25_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx5_25_evidence[0]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx5_25_evidence[0]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx5_25_evidence[0]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx5_25_evidence[0]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx5_25_evidence[0]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &gx5_25_evidence[0]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &gx5_25_evidence[0]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &gx5_25_evidence[0]},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", &gx5_25_evidence[0]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &gx5_25_evidence[0]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &gx5_25_evidence[0]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &gx5_25_evidence[0]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &gx5_25_evidence[0]},      /* filter_data.mag_matrix_uncertainty */
+};
+
+static const struct mip_profile_field gx5_25_refuses[] = {
+    {0x0C, 0x41, "WRSLD", &gx5_25_evidence[7]}, /* 3dm.gpio_config */
+    {0x80, 0x18, "", &gx5_25_evidence[8]},      /* sensor.overrange_status */
+    {0x81, 0x03, "", &gx5_25_evidence[7]},      /* gnss_data.llh_position */
+    {0x81, 0x0B, "", &gx5_25_evidence[7]},      /* gnss_data.fix_info */
+    {0x82, 0x01, "", &gx5_25_evidence[8]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gx5_25_evidence[9]},      /* filter_data.ned_velocity */
+    {0x82, 0x08, "", &gx5_25_evidence[8]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x43, "", &gx5_25_evidence[7]},      /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x49, "", &gx5_25_evidence[7]},      /* filter_data.gnss_dual_antenna_status */
+    {0x91, 0x03, "", &gx5_25_evidence[7]},      /* gnss_1.llh_position */
+    {0x91, 0x0B, "", &gx5_25_evidence[7]},      /* gnss_1.fix_info */
+    {0x92, 0x0B, "", &gx5_25_evidence[8]},      /* gnss_2.fix_info */
+    {0x92, 0x12, "", &gx5_25_evidence[8]},      /* gnss_2.sbas_info */
+    {0x92, 0x14, "", &gx5_25_evidence[8]},      /* gnss_2.rf_error_detection */
+    {0x93, 0x31, "", &gx5_25_evidence[7]},      /* gnss_corrections.rtk_corrections_status */
 };
 
 static const struct mip_profile_note gx5_25_notes[] = {
@@ -2585,8 +5831,12 @@ static const struct mip_profile_note gx5_25_notes[] = {
 };
 
 static const struct mip_profile_reading gx5_25_readings[] = {
+    {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx5_25 = {
@@ -2598,16 +5848,18 @@ const struct mip_profile mip_profile_gx5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    9,    /* fields */
+    91,   /* fields */
+    15,   /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     1,    /* notes */
-    2,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     gx5_25_also,
     gx5_25_incomplete,
     gx5_25_fields,
+    gx5_25_refuses,
     NULL,
     NULL,
     NULL,
@@ -2626,67 +5878,70 @@ static const char *const gx5_35_incomplete[] = {
     "Only some pages of the manual are known, so it has more commands and data.",
 };
 
-static const char gx5_35_evidence_1[] =
-    "The section numbers leave room for it, and the manual of a related device has it there.";
+static const struct mip_profile_evidence gx5_35_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+};
 
 static const struct mip_profile_field gx5_35_fields[] = {
-    {0x01, 0x01, "", NULL},                    /* base.ping */
-    {0x01, 0x02, "", gx5_35_evidence_1},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                    /* base.get_device_descriptors */
-    {0x01, 0x05, "", gx5_35_evidence_1},       /* base.built_in_test */
-    {0x01, 0x06, "", gx5_35_evidence_1},       /* base.resume */
-    {0x01, 0x07, "", NULL},                    /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", NULL},                 /* base.gps_time_update */
-    {0x01, 0x7E, "", gx5_35_evidence_1},       /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                    /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", gx5_35_evidence_1},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", gx5_35_evidence_1},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", NULL},               /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", NULL},               /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},               /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", NULL},               /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", NULL},                  /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},              /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", gx5_35_evidence_1}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                    /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", gx5_35_evidence_1}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},              /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", gx5_35_evidence_1},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", gx5_35_evidence_1},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", gx5_35_evidence_1},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},               /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", NULL},               /* system.comm_mode */
-    {0x80, 0x04, "", NULL},                    /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                    /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                    /* sensor.scaled_mag */
-    {0x80, 0x07, "", NULL},                    /* sensor.delta_theta */
-    {0x80, 0x08, "", gx5_35_evidence_1},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", gx5_35_evidence_1},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", gx5_35_evidence_1},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", gx5_35_evidence_1},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", gx5_35_evidence_1},       /* sensor.north_vector */
-    {0x80, 0x11, "", NULL},                    /* sensor.up_vector */
-    {0x80, 0x12, "", NULL},                    /* sensor.gps_timestamp */
-    {0x80, 0x17, "", NULL},                    /* sensor.scaled_pressure */
-    {0x81, 0x03, "", gx5_35_evidence_1},       /* gnss_data.llh_position */
-    {0x81, 0x04, "", gx5_35_evidence_1},       /* gnss_data.ecef_position */
-    {0x81, 0x05, "", gx5_35_evidence_1},       /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", NULL},                    /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", gx5_35_evidence_1},       /* gnss_data.dop */
-    {0x81, 0x08, "", gx5_35_evidence_1},       /* gnss_data.utc_time */
-    {0x81, 0x09, "", gx5_35_evidence_1},       /* gnss_data.gps_time */
-    {0x81, 0x0A, "", gx5_35_evidence_1},       /* gnss_data.clock_info */
-    {0x81, 0x0B, "", gx5_35_evidence_1},       /* gnss_data.fix_info */
-    {0x81, 0x0C, "", gx5_35_evidence_1},       /* gnss_data.sv_info */
-    {0x81, 0x0D, "", gx5_35_evidence_1},       /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL},                    /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", gx5_35_evidence_1},       /* gnss_data.dgps_channel */
+    {0x01, 0x01, "", &gx5_35_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &gx5_35_evidence[1]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx5_35_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx5_35_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx5_35_evidence[2]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx5_35_evidence[1]},       /* base.resume */
+    {0x01, 0x07, "", &gx5_35_evidence[0]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &gx5_35_evidence[0]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gx5_35_evidence[2]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx5_35_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gx5_35_evidence[2]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "", &gx5_35_evidence[1]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gx5_35_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x11, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", &gx5_35_evidence[0]},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", &gx5_35_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx5_35_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx5_35_evidence[2]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx5_35_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gx5_35_evidence[2]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gx5_35_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx5_35_evidence[0]},       /* 3dm.device_status */
+    {0x7F, 0x10, "WRSLD", &gx5_35_evidence[0]},  /* system.comm_mode */
+    {0x80, 0x04, "", &gx5_35_evidence[0]},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx5_35_evidence[0]},       /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx5_35_evidence[0]},       /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx5_35_evidence[0]},       /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx5_35_evidence[2]},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx5_35_evidence[2]},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx5_35_evidence[2]},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx5_35_evidence[2]},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx5_35_evidence[2]},       /* sensor.north_vector */
+    {0x80, 0x11, "", &gx5_35_evidence[0]},       /* sensor.up_vector */
+    {0x80, 0x12, "", &gx5_35_evidence[0]},       /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx5_35_evidence[0]},       /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &gx5_35_evidence[2]},       /* gnss_data.llh_position */
+    {0x81, 0x04, "", &gx5_35_evidence[2]},       /* gnss_data.ecef_position */
+    {0x81, 0x05, "", &gx5_35_evidence[2]},       /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", &gx5_35_evidence[0]},       /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", &gx5_35_evidence[2]},       /* gnss_data.dop */
+    {0x81, 0x08, "", &gx5_35_evidence[2]},       /* gnss_data.utc_time */
+    {0x81, 0x09, "", &gx5_35_evidence[2]},       /* gnss_data.gps_time */
+    {0x81, 0x0A, "", &gx5_35_evidence[2]},       /* gnss_data.clock_info */
+    {0x81, 0x0B, "", &gx5_35_evidence[2]},       /* gnss_data.fix_info */
+    {0x81, 0x0C, "", &gx5_35_evidence[2]},       /* gnss_data.sv_info */
+    {0x81, 0x0D, "", &gx5_35_evidence[2]},       /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", &gx5_35_evidence[0]},       /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", &gx5_35_evidence[2]},       /* gnss_data.dgps_channel */
 };
 
 static const struct mip_profile_rate gx5_35_rates[] = {
@@ -2727,6 +5982,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     1,    /* other names */
     1,    /* what is not known */
     57,   /* fields */
+    0,    /* refused fields */
     2,    /* base rates */
     0,    /* ports */
     1,    /* limits */
@@ -2736,6 +5992,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     gx5_35_also,
     gx5_35_incomplete,
     gx5_35_fields,
+    NULL,
     gx5_35_rates,
     NULL,
     gx5_35_limits,
@@ -2755,113 +6012,158 @@ static const char *const gx5_45_incomplete[] = {
     "Only four fields of the filter data are listed; the manual has 27 or more.",
 };
 
-static const char gx5_45_evidence_1[] =
-    "The section numbers leave room for it, and the manual of a related device has it there.";
-
-static const char gx5_45_evidence_2[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence gx5_45_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
+    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
+                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 43)."},
+};
 
 static const struct mip_profile_field gx5_45_fields[] = {
-    {0x01, 0x01, "", gx5_45_evidence_1},       /* base.ping */
-    {0x01, 0x02, "", gx5_45_evidence_1},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
-    {0x01, 0x04, "", gx5_45_evidence_1},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", gx5_45_evidence_1},       /* base.built_in_test */
-    {0x01, 0x06, "", gx5_45_evidence_1},       /* base.resume */
-    {0x01, 0x07, "", gx5_45_evidence_1},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", gx5_45_evidence_1},    /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                    /* base.soft_reset */
-    {0x0C, 0x01, "", gx5_45_evidence_1},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                    /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                    /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                    /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},               /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                    /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", gx5_45_evidence_1},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                    /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", gx5_45_evidence_1},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", gx5_45_evidence_1},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", gx5_45_evidence_1}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", gx5_45_evidence_1}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", gx5_45_evidence_1},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},              /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", gx5_45_evidence_1}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", gx5_45_evidence_1},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},               /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", gx5_45_evidence_1},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", gx5_45_evidence_1},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
-    {0x0D, 0x01, "", gx5_45_evidence_1},       /* filter.reset */
-    {0x0D, 0x02, "", gx5_45_evidence_1},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                    /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", NULL},               /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", NULL},               /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", NULL},               /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", NULL},               /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", NULL},               /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", NULL},               /* filter.gnss_source */
-    {0x0D, 0x16, "", NULL},                    /* filter.external_gnss_update */
-    {0x0D, 0x17, "", NULL},                    /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", NULL},               /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", NULL},               /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", NULL},               /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},               /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", NULL},               /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", NULL},               /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", NULL},               /* filter.auto_zupt */
-    {0x0D, 0x1F, "", NULL},                    /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},               /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", NULL},                /* filter.tare_orientation */
-    {0x0D, 0x22, "", NULL},                    /* filter.commanded_zupt */
-    {0x0D, 0x23, "", NULL},                    /* filter.commanded_angular_zupt */
-    {0x0D, 0x27, "WS", NULL},                  /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", NULL},               /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", NULL},               /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", NULL},               /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", NULL},               /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", NULL},               /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", NULL},               /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD", NULL}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", NULL}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD", NULL}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", NULL}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", NULL}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD", gx5_45_evidence_2}, /* filter.adaptive_filter_options */
-    {0x7F, 0x10, "WRSLD", NULL},              /* system.comm_mode */
-    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                   /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                   /* sensor.scaled_mag */
-    {0x80, 0x07, "", gx5_45_evidence_1},      /* sensor.delta_theta */
-    {0x80, 0x08, "", gx5_45_evidence_1},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", gx5_45_evidence_1},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", gx5_45_evidence_1},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", gx5_45_evidence_1},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", gx5_45_evidence_1},      /* sensor.north_vector */
-    {0x80, 0x11, "", gx5_45_evidence_1},      /* sensor.up_vector */
-    {0x80, 0x12, "", gx5_45_evidence_1},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", gx5_45_evidence_1},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", gx5_45_evidence_1},      /* gnss_data.llh_position */
-    {0x81, 0x04, "", gx5_45_evidence_1},      /* gnss_data.ecef_position */
-    {0x81, 0x05, "", gx5_45_evidence_1},      /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", gx5_45_evidence_1},      /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", gx5_45_evidence_1},      /* gnss_data.dop */
-    {0x81, 0x08, "", gx5_45_evidence_1},      /* gnss_data.utc_time */
-    {0x81, 0x09, "", gx5_45_evidence_1},      /* gnss_data.gps_time */
-    {0x81, 0x0A, "", gx5_45_evidence_1},      /* gnss_data.clock_info */
-    {0x81, 0x0B, "", gx5_45_evidence_1},      /* gnss_data.fix_info */
-    {0x81, 0x0C, "", NULL},                   /* gnss_data.sv_info */
-    {0x81, 0x0D, "", NULL},                   /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL},                   /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", NULL},                   /* gnss_data.dgps_channel */
-    {0x82, 0x04, "", NULL},                   /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},                   /* filter_data.euler_angles */
-    {0x82, 0x0E, "", NULL},                   /* filter_data.comp_angular_rate */
-    {0x82, 0x14, "", NULL},                   /* filter_data.heading_update_state */
+    {0x01, 0x01, "", &gx5_45_evidence[2]},       /* base.ping */
+    {0x01, 0x02, "", &gx5_45_evidence[2]},       /* base.set_idle */
+    {0x01, 0x03, "", &gx5_45_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &gx5_45_evidence[7]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &gx5_45_evidence[8]},       /* base.built_in_test */
+    {0x01, 0x06, "", &gx5_45_evidence[1]},       /* base.resume */
+    {0x01, 0x07, "", &gx5_45_evidence[1]},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", &gx5_45_evidence[8]},    /* base.gps_time_update */
+    {0x01, 0x7E, "", &gx5_45_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &gx5_45_evidence[8]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &gx5_45_evidence[0]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &gx5_45_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &gx5_45_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &gx5_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &gx5_45_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", &gx5_45_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
+    {0x0C, 0x21, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", &gx5_45_evidence[8]},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", &gx5_45_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &gx5_45_evidence[3]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &gx5_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", &gx5_45_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &gx5_45_evidence[2]},       /* filter.reset */
+    {0x0D, 0x02, "", &gx5_45_evidence[4]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &gx5_45_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &gx5_45_evidence[0]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &gx5_45_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &gx5_45_evidence[0]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &gx5_45_evidence[0]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &gx5_45_evidence[0]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &gx5_45_evidence[0]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &gx5_45_evidence[0]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &gx5_45_evidence[0]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &gx5_45_evidence[0]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &gx5_45_evidence[0]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &gx5_45_evidence[0]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &gx5_45_evidence[0]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &gx5_45_evidence[0]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &gx5_45_evidence[0]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD", &gx5_45_evidence[0]},   /* filter.tare_orientation */
+    {0x0D, 0x22, "", &gx5_45_evidence[0]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &gx5_45_evidence[0]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", &gx5_45_evidence[4]},  /* filter.reference_position */
+    {0x0D, 0x27, "WS", &gx5_45_evidence[0]},     /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", &gx5_45_evidence[0]},  /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", &gx5_45_evidence[0]},  /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", &gx5_45_evidence[0]},  /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", &gx5_45_evidence[0]},  /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x42, "WRSLD", &gx5_45_evidence[0]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &gx5_45_evidence[0]},  /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD",
+     &gx5_45_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD",
+     &gx5_45_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &gx5_45_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", &gx5_45_evidence[0]}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", &gx5_45_evidence[0]}, /* filter.pitch_roll_aiding */
+    {0x0D, 0x53, "WRSLD", &gx5_45_evidence[5]}, /* filter.adaptive_filter_options */
+    {0x7F, 0x10, "WRSLD", &gx5_45_evidence[0]}, /* system.comm_mode */
+    {0x80, 0x04, "", &gx5_45_evidence[0]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &gx5_45_evidence[0]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &gx5_45_evidence[0]},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", &gx5_45_evidence[8]},      /* sensor.delta_theta */
+    {0x80, 0x08, "", &gx5_45_evidence[8]},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", &gx5_45_evidence[8]},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", &gx5_45_evidence[6]},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", &gx5_45_evidence[8]},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", &gx5_45_evidence[8]},      /* sensor.north_vector */
+    {0x80, 0x11, "", &gx5_45_evidence[8]},      /* sensor.up_vector */
+    {0x80, 0x12, "", &gx5_45_evidence[2]},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", &gx5_45_evidence[6]},      /* sensor.scaled_pressure */
+    {0x81, 0x03, "", &gx5_45_evidence[6]},      /* gnss_data.llh_position */
+    {0x81, 0x04, "", &gx5_45_evidence[8]},      /* gnss_data.ecef_position */
+    {0x81, 0x05, "", &gx5_45_evidence[6]},      /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", &gx5_45_evidence[8]},      /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", &gx5_45_evidence[6]},      /* gnss_data.dop */
+    {0x81, 0x08, "", &gx5_45_evidence[8]},      /* gnss_data.utc_time */
+    {0x81, 0x09, "", &gx5_45_evidence[8]},      /* gnss_data.gps_time */
+    {0x81, 0x0A, "", &gx5_45_evidence[8]},      /* gnss_data.clock_info */
+    {0x81, 0x0B, "", &gx5_45_evidence[2]},      /* gnss_data.fix_info */
+    {0x81, 0x0C, "", &gx5_45_evidence[0]},      /* gnss_data.sv_info */
+    {0x81, 0x0D, "", &gx5_45_evidence[0]},      /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", &gx5_45_evidence[0]},      /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", &gx5_45_evidence[0]},      /* gnss_data.dgps_channel */
+    {0x82, 0x01, "", &gx5_45_evidence[2]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &gx5_45_evidence[2]},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", &gx5_45_evidence[6]},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", &gx5_45_evidence[0]},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", &gx5_45_evidence[0]},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", &gx5_45_evidence[9]},      /* filter_data.gyro_bias */
+    {0x82, 0x07, "", &gx5_45_evidence[9]},      /* filter_data.accel_bias */
+    {0x82, 0x08, "", &gx5_45_evidence[9]},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", &gx5_45_evidence[9]},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", &gx5_45_evidence[9]},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", &gx5_45_evidence[9]},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", &gx5_45_evidence[9]},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", &gx5_45_evidence[9]},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", &gx5_45_evidence[0]},      /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", &gx5_45_evidence[9]},      /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", &gx5_45_evidence[2]},      /* filter_data.status */
+    {0x82, 0x11, "", &gx5_45_evidence[2]},      /* filter_data.timestamp */
+    {0x82, 0x12, "", &gx5_45_evidence[9]},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", &gx5_45_evidence[9]},      /* filter_data.gravity_vector */
+    {0x82, 0x14, "", &gx5_45_evidence[0]},      /* filter_data.heading_update_state */
+    {0x82, 0x15, "", &gx5_45_evidence[9]},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", &gx5_45_evidence[9]},      /* filter_data.comp_accel */
+    {0x82, 0x20, "", &gx5_45_evidence[9]},      /* filter_data.standard_atmosphere */
+    {0x82, 0x21, "", &gx5_45_evidence[9]},      /* filter_data.pressure_altitude */
+    {0x82, 0x25, "", &gx5_45_evidence[9]},      /* filter_data.mag_offset */
+    {0x82, 0x26, "", &gx5_45_evidence[9]},      /* filter_data.mag_matrix */
+    {0x82, 0x28, "", &gx5_45_evidence[9]},      /* filter_data.mag_offset_uncertainty */
+    {0x82, 0x29, "", &gx5_45_evidence[9]},      /* filter_data.mag_matrix_uncertainty */
+};
+
+static const struct mip_profile_field gx5_45_refuses[] = {
+    {0x80, 0x01, "", &gx5_45_evidence[10]}, /* sensor.raw_accel */
 };
 
 static const struct mip_profile_rate gx5_45_rates[] = {
@@ -2873,8 +6175,8 @@ static const struct mip_profile_rate gx5_45_rates[] = {
 static const uint32_t gx5_45_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
 
 static const struct mip_profile_port gx5_45_ports[] = {
-    {"UART 1", 0x00, 6, gx5_45_baud_rates_1, "MIP"},
-    {"USB", 0x00, 0, NULL, "MIP"},
+    {"UART 1", 0x00, 6, gx5_45_baud_rates_1, "MIP", "MIP"},
+    {"USB", 0x00, 0, NULL, "MIP", "MIP"},
 };
 
 static const struct mip_profile_limit gx5_45_limits[] = {
@@ -2901,6 +6203,9 @@ static const struct mip_profile_note gx5_45_notes[] = {
 static const struct mip_profile_reading gx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx5_45 = {
@@ -2912,16 +6217,18 @@ const struct mip_profile mip_profile_gx5_45 = {
     5,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    101,  /* fields */
+    126,  /* fields */
+    1,    /* refused fields */
     3,    /* base rates */
     2,    /* ports */
     2,    /* limits */
     3,    /* notes */
-    2,    /* readings */
+    5,    /* readings */
     0,    /* acknowledge codes */
     gx5_45_also,
     gx5_45_incomplete,
     gx5_45_fields,
+    gx5_45_refuses,
     gx5_45_rates,
     gx5_45_ports,
     gx5_45_limits,
@@ -2937,20 +6244,39 @@ static const char *const mv5_ar_also[] = {
 };
 
 static const char *const mv5_ar_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char mv5_ar_evidence_1[] = "The vendor's software requests it from every device.";
-
-static const char mv5_ar_evidence_2[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence mv5_ar_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+};
 
 static const struct mip_profile_field mv5_ar_fields[] = {
-    {0x01, 0x01, "", mv5_ar_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", mv5_ar_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", mv5_ar_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", mv5_ar_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", mv5_ar_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", mv5_ar_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &mv5_ar_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &mv5_ar_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &mv5_ar_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &mv5_ar_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", &mv5_ar_evidence[0]},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", &mv5_ar_evidence[0]}, /* 3dm.data_stream_control */
+};
+
+static const char *const mv5_ar_j1939_cells[] = {
+    "Message",        "PGN",    "Signals",
+    "Offset", /* heading */
+    "Slope sensor 2", "0xF029", "pitch (bits 0 to 23), roll (24 to 47)",
+    "-250 deg", /* row 1 */
+    "Angular rate",   "0xF02A", "pitch (0 to 15), roll (16 to 31), yaw (32 to 47)",
+    "-250 deg/s", /* row 2 */
+    "Acceleration",   "0xF02D", "lateral (0 to 15), longitudinal (16 to 31), vertical (32 to 47)",
+    "-320 m/s^2", /* row 3 */
+};
+
+static const struct mip_profile_note mv5_ar_notes[] = {
+    {"j1939", "J1939",
+     "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a driver by "
+     "others. Angles have 1/32768 deg, rates 1/128 deg/s, accelerations 0.01 m/s^2 for each step.",
+     mv5_ar_j1939_cells, 4, 4},
 };
 
 static const struct mip_profile_reading mv5_ar_readings[] = {
@@ -2962,16 +6288,17 @@ const struct mip_profile mip_profile_mv5_ar = {
     "3dm-mv5-ar",
     "3DM-MV5-AR",
     "",
-    "Device of generation 5, known only by its name and its number.",
+    "Device of generation 5.",
     6243, /* model number */
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
     6,    /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    0,    /* notes */
+    1,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
     mv5_ar_also,
@@ -2981,6 +6308,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     NULL,
     NULL,
     NULL,
+    mv5_ar_notes,
     mv5_ar_readings,
     NULL,
 };
@@ -2997,49 +6325,89 @@ static const char *const rq1_45_lt_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char rq1_45_lt_evidence_1[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_PROBABLE,
+     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+};
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
-    {0x01, 0x01, "", NULL},                      /* base.ping */
-    {0x01, 0x02, "", NULL},                      /* base.set_idle */
-    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                      /* base.resume */
-    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                      /* filter.reset */
-    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", rq1_45_lt_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", rq1_45_lt_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", &rq1_45_lt_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &rq1_45_lt_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &rq1_45_lt_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &rq1_45_lt_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &rq1_45_lt_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &rq1_45_lt_evidence[0]},       /* base.resume */
+    {0x01, 0x7E, "", &rq1_45_lt_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", &rq1_45_lt_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
+    {0x0C, 0x30, "SLD", &rq1_45_lt_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &rq1_45_lt_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", &rq1_45_lt_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &rq1_45_lt_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &rq1_45_lt_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &rq1_45_lt_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &rq1_45_lt_evidence[1]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &rq1_45_lt_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &rq1_45_lt_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &rq1_45_lt_evidence[1]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &rq1_45_lt_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x42, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD",
-     rq1_45_lt_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+     &rq1_45_lt_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
     {0x0D, 0x45, "WRSLD",
-     rq1_45_lt_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &rq1_45_lt_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &rq1_45_lt_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &rq1_45_lt_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_mag */
+    {0x81, 0x03, "", &rq1_45_lt_evidence[1]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &rq1_45_lt_evidence[1]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &rq1_45_lt_evidence[1]},      /* gnss_data.gps_time */
+    {0x82, 0x01, "", &rq1_45_lt_evidence[1]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &rq1_45_lt_evidence[1]},      /* filter_data.ned_velocity */
+    {0x82, 0x05, "", &rq1_45_lt_evidence[1]},      /* filter_data.euler_angles */
 };
 
 static const struct mip_profile_note rq1_45_lt_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
@@ -3064,16 +6432,18 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     4,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    35,   /* fields */
+    66,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    2,    /* notes */
+    3,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
     rq1_45_lt_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3094,49 +6464,88 @@ static const char *const rq1_45_st_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char rq1_45_st_evidence_1[] = "MSCL lists the choices for this device.";
+static const struct mip_profile_evidence rq1_45_st_evidence[] = {
+    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT."},
+};
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
-    {0x01, 0x01, "", NULL},                      /* base.ping */
-    {0x01, 0x02, "", NULL},                      /* base.set_idle */
-    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                      /* base.resume */
-    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                      /* filter.reset */
-    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", rq1_45_st_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", rq1_45_st_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", &rq1_45_st_evidence[0]},       /* base.ping */
+    {0x01, 0x02, "", &rq1_45_st_evidence[0]},       /* base.set_idle */
+    {0x01, 0x03, "", &rq1_45_st_evidence[0]},       /* base.get_device_info */
+    {0x01, 0x04, "", &rq1_45_st_evidence[0]},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", &rq1_45_st_evidence[0]},       /* base.built_in_test */
+    {0x01, 0x06, "", &rq1_45_st_evidence[0]},       /* base.resume */
+    {0x01, 0x7E, "", &rq1_45_st_evidence[0]},       /* base.soft_reset */
+    {0x0C, 0x01, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", &rq1_45_st_evidence[0]},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", &rq1_45_st_evidence[0]},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", &rq1_45_st_evidence[0]},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.data_stream_control */
+    {0x0C, 0x20, "", &rq1_45_st_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
+    {0x0C, 0x30, "SLD", &rq1_45_st_evidence[0]},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", &rq1_45_st_evidence[0]},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", &rq1_45_st_evidence[0]},       /* 3dm.device_status */
+    {0x0D, 0x01, "", &rq1_45_st_evidence[0]},       /* filter.reset */
+    {0x0D, 0x02, "", &rq1_45_st_evidence[0]},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", &rq1_45_st_evidence[0]},       /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gnss_source */
+    {0x0D, 0x16, "", &rq1_45_st_evidence[1]},       /* filter.external_gnss_update */
+    {0x0D, 0x17, "", &rq1_45_st_evidence[1]},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_zupt */
+    {0x0D, 0x1F, "", &rq1_45_st_evidence[1]},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", &rq1_45_st_evidence[1]},       /* filter.commanded_zupt */
+    {0x0D, 0x23, "", &rq1_45_st_evidence[1]},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x42, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD",
-     rq1_45_st_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+     &rq1_45_st_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
     {0x0D, 0x45, "WRSLD",
-     rq1_45_st_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     &rq1_45_st_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD",
+     &rq1_45_st_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x7F, 0x10, "WRSLD", &rq1_45_st_evidence[1]}, /* system.comm_mode */
+    {0x80, 0x04, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_mag */
+    {0x81, 0x03, "", &rq1_45_st_evidence[1]},      /* gnss_data.llh_position */
+    {0x81, 0x05, "", &rq1_45_st_evidence[1]},      /* gnss_data.ned_velocity */
+    {0x81, 0x09, "", &rq1_45_st_evidence[1]},      /* gnss_data.gps_time */
+    {0x82, 0x01, "", &rq1_45_st_evidence[1]},      /* filter_data.llh_position */
+    {0x82, 0x02, "", &rq1_45_st_evidence[1]},      /* filter_data.ned_velocity */
+    {0x82, 0x05, "", &rq1_45_st_evidence[1]},      /* filter_data.euler_angles */
 };
 
 static const struct mip_profile_note rq1_45_st_notes[] = {
+    {"direct_mode", "Direct modes",
+     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
+     "inner sensor of the GX4 has the model number 6237, that of the RQ1 6238.",
+     NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
@@ -3161,16 +6570,18 @@ const struct mip_profile mip_profile_rq1_45_st = {
     4,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    35,   /* fields */
+    66,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    2,    /* notes */
+    3,    /* notes */
     2,    /* readings */
     0,    /* acknowledge codes */
     rq1_45_st_also,
     rq1_45_st_incomplete,
     rq1_45_st_fields,
+    NULL,
     NULL,
     NULL,
     NULL,
@@ -3182,49 +6593,80 @@ const struct mip_profile mip_profile_rq1_45_st = {
 /* 3DM-RTK. */
 
 static const char *const rtk_incomplete[] = {
-    "No manual is known. The SDK gives only its name and number.",
+    "No manual is known.",
 };
 
-static const char rtk_evidence_1[] = "The vendor's software requests it from every device.";
+static const struct mip_profile_evidence rtk_evidence[] = {
+    {MIP_SUPPORT_PROBABLE,
+     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+};
 
 static const struct mip_profile_field rtk_fields[] = {
-    {0x01, 0x01, "", rtk_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", rtk_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", rtk_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", rtk_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", rtk_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", &rtk_evidence[0]},      /* base.ping */
+    {0x01, 0x02, "", &rtk_evidence[0]},      /* base.set_idle */
+    {0x01, 0x03, "", &rtk_evidence[0]},      /* base.get_device_info */
+    {0x01, 0x04, "", &rtk_evidence[0]},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", &rtk_evidence[0]},      /* base.built_in_test */
+    {0x01, 0x06, "", &rtk_evidence[0]},      /* base.resume */
+    {0x01, 0x09, "WRSLD", &rtk_evidence[0]}, /* base.comm_speed */
+    {0x01, 0x7E, "", &rtk_evidence[0]},      /* base.soft_reset */
+    {0x0C, 0x30, "SLD", &rtk_evidence[0]},   /* 3dm.device_settings */
+    {0x0F, 0x01, "", &rtk_evidence[0]},      /* rtk.get_status_flags */
+    {0x0F, 0x07, "", &rtk_evidence[0]},      /* rtk.get_activation_code */
+    {0x7F, 0x10, "WRSLD", &rtk_evidence[0]}, /* system.comm_mode */
+};
+
+static const struct mip_profile_reading rtk_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
+    {"base.built_in_test_response.result", "cv7_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
 };
 
 const struct mip_profile mip_profile_rtk = {
-    "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
+    "3dm-rtk",
+    "3DM-RTK",
+    "",
+    "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    12,   /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     0,    /* notes */
-    0,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
-    NULL,      rtk_incomplete, rtk_fields, NULL,
-    NULL,      NULL,           NULL,       NULL,
+    NULL,
+    rtk_incomplete,
+    rtk_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    rtk_readings,
     NULL,
 };
 
 /* All of them. */
 
 const struct mip_profile *const mip_profiles[] = {
-    &mip_profile_cl5_10,       &mip_profile_cl5_15,  &mip_profile_cl5_25,    &mip_profile_cv5_10,
-    &mip_profile_cv5_15,       &mip_profile_cv5_25,  &mip_profile_cv7_ahrs,  &mip_profile_cv7_ar,
-    &mip_profile_cv7_gnss_ins, &mip_profile_cv7_ins, &mip_profile_cx5_10,    &mip_profile_cx5_15,
-    &mip_profile_cx5_25,       &mip_profile_cx5_35,  &mip_profile_cx5_45,    &mip_profile_dh3,
-    &mip_profile_gq4_45,       &mip_profile_gq7,     &mip_profile_gv7_ahrs,  &mip_profile_gv7_ar,
-    &mip_profile_gv7_ins,      &mip_profile_gx3_15,  &mip_profile_gx3_25,    &mip_profile_gx3_35,
-    &mip_profile_gx3_45,       &mip_profile_gx4_15,  &mip_profile_gx4_25,    &mip_profile_gx4_45,
-    &mip_profile_gx5_10,       &mip_profile_gx5_15,  &mip_profile_gx5_25,    &mip_profile_gx5_35,
-    &mip_profile_gx5_45,       &mip_profile_mv5_ar,  &mip_profile_rq1_45_lt, &mip_profile_rq1_45_st,
-    &mip_profile_rtk,
+    &mip_profile_cl5_10,       &mip_profile_cl5_15,   &mip_profile_cl5_25,
+    &mip_profile_cv5_10,       &mip_profile_cv5_15,   &mip_profile_cv5_25,
+    &mip_profile_cv5_45,       &mip_profile_cv7_ahrs, &mip_profile_cv7_ar,
+    &mip_profile_cv7_gnss_ins, &mip_profile_cv7_ins,  &mip_profile_cx5_10,
+    &mip_profile_cx5_15,       &mip_profile_cx5_25,   &mip_profile_cx5_35,
+    &mip_profile_cx5_45,       &mip_profile_cx7_ahrs, &mip_profile_cx7_ar,
+    &mip_profile_cx7_ins,      &mip_profile_dh3,      &mip_profile_gq4_45,
+    &mip_profile_gq7,          &mip_profile_gv7_ahrs, &mip_profile_gv7_ar,
+    &mip_profile_gv7_ins,      &mip_profile_gx3_15,   &mip_profile_gx3_25,
+    &mip_profile_gx3_35,       &mip_profile_gx3_45,   &mip_profile_gx4_15,
+    &mip_profile_gx4_25,       &mip_profile_gx4_45,   &mip_profile_gx5_10,
+    &mip_profile_gx5_15,       &mip_profile_gx5_25,   &mip_profile_gx5_35,
+    &mip_profile_gx5_45,       &mip_profile_mv5_ar,   &mip_profile_rq1_45_lt,
+    &mip_profile_rq1_45_st,    &mip_profile_rtk,
 };
-const size_t mip_profile_count = 37;
+const size_t mip_profile_count = 41;

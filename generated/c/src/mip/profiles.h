@@ -20,8 +20,7 @@ extern "C" {
  * 3DM-CL5-10: Inertial measurement unit.
  *
  * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
- * list it among the devices with streams or a device status.
+ * incomplete: No manual is known. Uncertain: MSCL does not know it.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -32,7 +31,7 @@ extern MIP_API const struct mip_profile mip_profile_cl5_10;
  * 3DM-CL5-15: Attitude reference.
  *
  * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -43,7 +42,7 @@ extern MIP_API const struct mip_profile mip_profile_cl5_15;
  * 3DM-CL5-25: Attitude and heading reference system.
  *
  * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -54,7 +53,7 @@ extern MIP_API const struct mip_profile mip_profile_cl5_25;
  * 3DM-CV5-10: Inertial measurement unit.
  *
  * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: Its manual (8500-0070) is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -65,7 +64,7 @@ extern MIP_API const struct mip_profile mip_profile_cv5_10;
  * 3DM-CV5-15: Attitude reference.
  *
  * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -76,7 +75,7 @@ extern MIP_API const struct mip_profile mip_profile_cv5_15;
  * 3DM-CV5-25: Attitude and heading reference system.
  *
  * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -84,12 +83,22 @@ extern MIP_API const struct mip_profile mip_profile_cv5_15;
 extern MIP_API const struct mip_profile mip_profile_cv5_25;
 
 /**
+ * 3DM-CV5-45: Inertial navigation system with GNSS.
+ *
+ * Generation 5. Model number 6256. No manual is known. This profile is incomplete: No manual is
+ * known. Uncertain: Only MSCL knows it; the SDK does not.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern MIP_API const struct mip_profile mip_profile_cv5_45;
+
+/**
  * 3DM-CV7-AHRS: Attitude and heading reference system.
  *
  * Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
  * known from some pages. This profile is incomplete: Only some pages of the manual are known, so it
- * has more commands and data. This profile is incomplete: The limits are those of firmware 1.0.04
- * and later. Uncertain: MSCL offers only the values `none` and `manual` of
+ * has more commands and data. Uncertain: MSCL offers only the values `none` and `manual` of
  * mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
@@ -102,8 +111,7 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ahrs;
  *
  * Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
  * known from some pages. This profile is incomplete: Only some pages of the manual are known, so it
- * has more commands and data. This profile is incomplete: The limits are those of firmware 1.0.04
- * and later. Uncertain: MSCL offers only the values `none` and `manual` of
+ * has more commands and data. Uncertain: MSCL offers only the values `none` and `manual` of
  * mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
@@ -139,8 +147,10 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ins;
 /**
  * 3DM-CX5-10: Inertial measurement unit.
  *
- * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual: 3DM-CX5-10 Data Communications
+ * Protocol Manual, 8500-0087 revision A, 2017, known from its contents. This profile is incomplete:
+ * Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm`
+ * and `sensor` only.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -151,8 +161,7 @@ extern MIP_API const struct mip_profile mip_profile_cx5_10;
  * 3DM-CX5-15: Attitude reference.
  *
  * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
- * list it among the devices for which it limits the choices of the filter.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -163,8 +172,7 @@ extern MIP_API const struct mip_profile mip_profile_cx5_15;
  * 3DM-CX5-25: Attitude and heading reference system.
  *
  * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
- * list it among the devices for which it limits the choices of the filter.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -175,7 +183,7 @@ extern MIP_API const struct mip_profile mip_profile_cx5_25;
  * 3DM-CX5-35: Attitude and heading reference with GNSS.
  *
  * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * is incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -185,8 +193,10 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
 /**
  * 3DM-CX5-45: Inertial navigation system with GNSS.
  *
- * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. Manual: 3DM-CX5-45 Data
+ * Communications Protocol Manual, 8500-0089 revision A, 2017, known from its title. This profile is
+ * incomplete: Of the manual the title is known: 196 pages, of which those from 131 describe the
+ * data.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -194,10 +204,43 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
 extern MIP_API const struct mip_profile mip_profile_cx5_45;
 
 /**
- * 3DM-DH3: Device of generation 3, known only by its name and its number.
+ * 3DM-CX7-AHRS: Attitude and heading reference system.
+ *
+ * Generation 7. Model number 6701. No manual is known. This profile is incomplete: No manual is
+ * known. Uncertain: Only MSCL knows it; the SDK does not.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern MIP_API const struct mip_profile mip_profile_cx7_ahrs;
+
+/**
+ * 3DM-CX7-AR: Attitude reference.
+ *
+ * Generation 7. Model number 6700. No manual is known. This profile is incomplete: No manual is
+ * known. Uncertain: Only MSCL knows it; the SDK does not.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern MIP_API const struct mip_profile mip_profile_cx7_ar;
+
+/**
+ * 3DM-CX7-INS: Inertial navigation system.
+ *
+ * Generation 7. Model number 6702. No manual is known. This profile is incomplete: No manual is
+ * known. Uncertain: Only MSCL knows it; the SDK does not.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern MIP_API const struct mip_profile mip_profile_cx7_ins;
+
+/**
+ * 3DM-DH3: Device of generation 3.
  *
  * Generation 3. Model number 6219. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -238,7 +281,7 @@ extern MIP_API const struct mip_profile mip_profile_gq7;
  * 3DM-GV7-AHRS: Attitude and heading reference system.
  *
  * Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -249,7 +292,7 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ahrs;
  * 3DM-GV7-AR: Attitude reference.
  *
  * Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -260,7 +303,7 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ar;
  * 3DM-GV7-INS: Inertial navigation system.
  *
  * Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -268,10 +311,10 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ar;
 extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 
 /**
- * 3DM-GX3-15: Device of generation 3, known only by its name and its number.
+ * 3DM-GX3-15: Inertial sensor of generation 3.
  *
- * Generation 3. Model number 6227. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * Generation 3. Model number 6227. No manual is known. This profile is incomplete: Its manual
+ * (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -279,10 +322,10 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 extern MIP_API const struct mip_profile mip_profile_gx3_15;
 
 /**
- * 3DM-GX3-25: Device of generation 3, known only by its name and its number.
+ * 3DM-GX3-25: Inertial sensor of generation 3.
  *
- * Generation 3. Model number 6223. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * Generation 3. Model number 6223. No manual is known. This profile is incomplete: Its manual
+ * (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -290,10 +333,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_15;
 extern MIP_API const struct mip_profile mip_profile_gx3_25;
 
 /**
- * 3DM-GX3-35: Device of generation 3, known only by its name and its number.
+ * 3DM-GX3-35: Inertial sensor of generation 3.
  *
- * Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * Generation 3. Model number 6225. No manual is known. This profile is incomplete: Its manual (1.00
+ * of 2011-01-04) is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -302,10 +345,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_25;
 extern MIP_API const struct mip_profile mip_profile_gx3_35;
 
 /**
- * 3DM-GX3-45: Device of generation 3, known only by its name and its number.
+ * 3DM-GX3-45: Inertial sensor of generation 3.
  *
  * Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known. Uncertain: The SDK of 2014 has the model number 6226.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -314,10 +357,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_35;
 extern MIP_API const struct mip_profile mip_profile_gx3_45;
 
 /**
- * 3DM-GX4-15: Device of generation 4, known only by its name and its number.
+ * 3DM-GX4-15: Device of generation 4.
  *
  * Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -325,10 +368,11 @@ extern MIP_API const struct mip_profile mip_profile_gx3_45;
 extern MIP_API const struct mip_profile mip_profile_gx4_15;
 
 /**
- * 3DM-GX4-25: Device of generation 4, known only by its name and its number.
+ * 3DM-GX4-25: Device of generation 4.
  *
- * Generation 4. Model number 6234. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * Generation 4. Model number 6234. No manual is known. This profile is incomplete: Its manual (of
+ * 2014-12-23) is not known. Uncertain: A ROS driver by others uses the model number 6253 for it,
+ * which is that of the 3DM-GX5-25.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -336,10 +380,10 @@ extern MIP_API const struct mip_profile mip_profile_gx4_15;
 extern MIP_API const struct mip_profile mip_profile_gx4_25;
 
 /**
- * 3DM-GX4-45: Device of generation 4, known only by its name and its number.
+ * 3DM-GX4-45: Device of generation 4.
  *
  * Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -350,7 +394,7 @@ extern MIP_API const struct mip_profile mip_profile_gx4_45;
  * 3DM-GX5-10: Inertial measurement unit.
  *
  * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -373,7 +417,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_15;
  * 3DM-GX5-25: Attitude and heading reference system.
  *
  * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: Its manual (8500-0065) is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -412,10 +456,10 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
 extern MIP_API const struct mip_profile mip_profile_gx5_45;
 
 /**
- * 3DM-MV5-AR: Device of generation 5, known only by its name and its number.
+ * 3DM-MV5-AR: Device of generation 5.
  *
  * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
- * incomplete: No manual is known. The SDK gives only its name and number.
+ * incomplete: No manual is known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -456,7 +500,7 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
  * 3DM-RTK: Modem for GNSS corrections.
  *
  * Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
- * known. The SDK gives only its name and number.
+ * known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features

@@ -360,14 +360,25 @@ static const struct mip_record record_base_continuous_built_in_test = {
 };
 
 static const struct mip_reading readings_base_comm_speed_port[] = {
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-cv7-ar", 0, 0, &mip_names_comm_interface},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-cv7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ar", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-gq7", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ar", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-rtk", 0, 0, &mip_names_comm_interface},
 };
 static const struct mip_parameter parameters_base_comm_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_comm_speed, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
      0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_base_comm_speed, port), 0, NULL, readings_base_comm_speed_port, NULL, NULL, 1},
+     ONE(struct mip_base_comm_speed, port), 0, NULL, readings_base_comm_speed_port, NULL, NULL, 12},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_base_comm_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -425,13 +436,35 @@ static const struct mip_record record_base_get_device_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
+    {"3dm-cl5-10", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cl5-15", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cl5-25", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cv5-10", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cv5-15", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cv5-25", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-cv7-ar", 0, 0, &mip_names_cv7_built_in_test},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-cv7-ins", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-cx5-10", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cx5-15", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cx5-25", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-cx7-ar", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-cx7-ins", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gq7", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gv7-ar", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gv7-ins", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gx5-10", 0, 0, &mip_names_gx5_built_in_test},
     {"3dm-gx5-15", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-gx5-25", 0, 0, &mip_names_gx5_built_in_test},
+    {"3dm-rtk", 0, 0, &mip_names_cv7_built_in_test},
 };
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_built_in_test_response, result), 0, NULL,
-     readings_base_built_in_test_response_result, NULL, NULL, 2},
+     readings_base_built_in_test_response_result, NULL, NULL, 24},
 };
 static const struct mip_record record_base_built_in_test_response = {
     parameters_base_built_in_test_response,
@@ -473,12 +506,22 @@ static const struct mip_record record_base_get_extended_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
+    {"3dm-cv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ins", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gq7", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
 };
 static const struct mip_parameter parameters_base_continuous_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
      MANY(struct mip_base_continuous_built_in_test_response, result), 0, NULL,
-     readings_base_continuous_built_in_test_response_result, NULL, NULL, 1},
+     readings_base_continuous_built_in_test_response_result, NULL, NULL, 11},
 };
 static const struct mip_record record_base_continuous_built_in_test_response = {
     parameters_base_continuous_built_in_test_response,
@@ -487,12 +530,23 @@ static const struct mip_record record_base_continuous_built_in_test_response = {
 };
 
 static const struct mip_reading readings_base_comm_speed_response_port[] = {
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-cv7-ar", 0, 0, &mip_names_comm_interface},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-cv7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ar", 0, 0, &mip_names_comm_interface},
+    {"3dm-cx7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-gq7", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ar", 0, 0, &mip_names_comm_interface},
+    {"3dm-gv7-ins", 0, 0, &mip_names_comm_interface},
+    {"3dm-rtk", 0, 0, &mip_names_comm_interface},
 };
 static const struct mip_parameter parameters_base_comm_speed_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_comm_speed_response, port), 0, NULL,
-     readings_base_comm_speed_response_port, NULL, NULL, 1},
+     readings_base_comm_speed_response_port, NULL, NULL, 12},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_comm_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -707,11 +761,13 @@ static const struct mip_record record_3dm_factory_streaming = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
+    {"3dm-cl5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -741,7 +797,7 @@ static const struct mip_parameter parameters_3dm_data_stream_control[] = {
      NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 27},
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 29},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -1475,11 +1531,13 @@ static const struct mip_record record_3dm_get_gnss_base_rate_response = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
+    {"3dm-cl5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -1506,7 +1564,7 @@ static const struct mip_reading readings_3dm_data_stream_control_response_descri
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 27},
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 29},
     {"enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -6169,27 +6227,96 @@ static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
 };
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
+    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_filter_state},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-cv7-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-cx5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cx5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cx5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-cx7-ar", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-cx7-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gq7", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gv7-ar", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gv7-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
+    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-cv7-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-cx5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cx5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cx5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-cx7-ar", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-cx7-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gq7", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gv7-ar", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gv7-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
+    {"3dm-cl5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cl5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cv5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cv5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cv5-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-cv7-ar", 0, 0, &mip_names_filter_data_cv7_status_flags},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-cv7-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-cx5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cx5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cx5-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-cx7-ar", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-cx7-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gq7", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gv7-ar", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gv7-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, filter_state), 0, NULL,
-     readings_filter_data_status_filter_state, NULL, NULL, 2},
+     readings_filter_data_status_filter_state, NULL, NULL, 25},
     {"dynamics_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, dynamics_mode), 0, NULL,
-     readings_filter_data_status_dynamics_mode, NULL, NULL, 2},
+     readings_filter_data_status_dynamics_mode, NULL, NULL, 25},
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_status, status_flags), 0, NULL,
-     readings_filter_data_status_status_flags, NULL, NULL, 2},
+     readings_filter_data_status_status_flags, NULL, NULL, 25},
 };
 static const struct mip_record record_filter_data_status = {
     parameters_filter_data_status,
@@ -6845,12 +6972,22 @@ static const struct mip_record record_displacement_data_displacement = {
 };
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
+    {"3dm-cv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
+    {"3dm-cv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-cx7-ins", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gq7", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
 };
 static const struct mip_parameter parameters_system_data_built_in_test[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
      MANY(struct mip_system_data_built_in_test, result), 0, NULL,
-     readings_system_data_built_in_test_result, NULL, NULL, 1},
+     readings_system_data_built_in_test_result, NULL, NULL, 11},
 };
 static const struct mip_record record_system_data_built_in_test = {
     parameters_system_data_built_in_test,

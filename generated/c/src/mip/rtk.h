@@ -4,6 +4,8 @@
  * RTK commands (0x0F). Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
  * Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
  * names. Uncertain: How the strings are padded or ended.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_RTK_H
 #define MIP_RTK_H
@@ -81,8 +83,8 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
  *
  * Gets the state of the modem and of the corrections.
  *
- * Answered by mip_rtk_get_status_flags_response. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * No device is certain to support it. Answered by mip_rtk_get_status_flags_response. Known only
+ * from the MicroStrain MIP SDK.
  *
  * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
@@ -118,7 +120,8 @@ static inline mip_error mip_rtk_get_status_flags_encode(
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * Answers mip_rtk_get_status_flags. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Answers mip_rtk_get_status_flags. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -725,8 +728,8 @@ static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
  *
  * Gets the activation code.
  *
- * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response. Not listed in any
- * device profile. Known only from the MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `get_act_code`. Answered by
+ * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -760,8 +763,8 @@ static inline mip_error mip_rtk_get_activation_code_encode(
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code. Known only from the
- * MicroStrain MIP SDK.
+ * No device is certain to support it. Also called `get_act_code_response`. Answers
+ * mip_rtk_get_activation_code. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */

@@ -259,7 +259,8 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  *
  * Measured acceleration, temperature compensated.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -326,7 +327,8 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  *
  * Measured angular rate, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -393,7 +395,8 @@ static inline mip_error mip_sensor_scaled_gyro_encode_inline(
  *
  * Measured magnetic field, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35
+ * and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
@@ -459,7 +462,7 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  *
  * Time integral of the angular rate over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -526,7 +529,7 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
@@ -668,7 +671,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
  *
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
  * 3DM-GX5-15.
@@ -1328,7 +1331,7 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  *
  * GPS time of the sensor data.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS returns.
  *
@@ -1418,7 +1421,7 @@ static inline mip_error mip_sensor_gps_timestamp_encode_inline(
  *
  * Temperatures since the last power-on or reset.
  *
- * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The values come from the inertial sensors, alone or together with sensors on the board.
  *
@@ -1552,7 +1555,8 @@ static inline mip_error mip_sensor_raw_pressure_encode_inline(
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1615,7 +1619,7 @@ static inline mip_error mip_sensor_scaled_pressure_encode_inline(
  *
  * Which sensor axes are near or outside their range.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */
@@ -1677,7 +1681,7 @@ static inline mip_error mip_sensor_overrange_status_encode_inline(
  *
  * Speed measured by the wheel encoder.
  *
- * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

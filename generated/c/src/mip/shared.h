@@ -3,6 +3,8 @@
  *
  * Shared data (0xFF). Fields that every data set can contain. No packet has this descriptor set:
  * the fields are sent in packets of the other data sets.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_SHARED_H
 #define MIP_SHARED_H
@@ -42,7 +44,7 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  *
  * The event trigger that caused the packet.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Put it first in the format of event messages, to distinguish their packets from scheduled ones.
  *
@@ -237,7 +239,7 @@ static inline mip_error mip_shared_delta_ticks_encode_inline(
  *
  * External time of the data as GPS time of week and week number.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * In event messages it is the time of the trigger.
  *
@@ -324,7 +326,7 @@ static inline mip_error mip_shared_gps_timestamp_encode_inline(
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as mip_shared_external_time_delta, in other units.
  *
@@ -390,7 +392,7 @@ static inline mip_error mip_shared_delta_time_encode_inline(
  *
  * Time of the data by the internal reference clock.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The clock starts at power-on, only moves forward and never jumps; the value is always valid.
  *
@@ -456,7 +458,7 @@ static inline mip_error mip_shared_reference_timestamp_encode_inline(
  *
  * Reference time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The value is always valid.
  *
@@ -520,7 +522,7 @@ static inline mip_error mip_shared_reference_time_delta_encode_inline(
  *
  * Time of the data in the external clock domain.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is mip_shared_gps_timestamp in nanoseconds.
  *
@@ -603,7 +605,7 @@ static inline mip_error mip_shared_external_timestamp_encode_inline(
  *
  * External time since this field was last sent in the same set and event instance.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is the same as mip_shared_delta_time, in other units.
  *

@@ -55,8 +55,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Protocols that a port receives and sends.
  *
- * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_system_interface_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -187,7 +187,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * No device is certain to support it. Answers mip_system_interface_control.
+ * Answers mip_system_interface_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports

@@ -2,6 +2,8 @@
  * @file
  *
  * System data (0xA0). State of the device as a whole.
+ *
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_SYSTEM_DATA_H
 #define MIP_SYSTEM_DATA_H
@@ -35,7 +37,8 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * Flags of the tests that run all the time.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware
+ * > 1.0.10.
  *
  * The field is long; stream it at a low rate or poll it.
  *
@@ -53,7 +56,9 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 struct mip_system_data_built_in_test {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
+     * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
+     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
      */
     uint8_t result[16];
 };
@@ -111,7 +116,8 @@ static inline mip_error mip_system_data_built_in_test_encode_inline(
  *
  * Whether the device time is locked to the pulse per second.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware >
+ * 1.0.10.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -177,7 +183,7 @@ static inline mip_error mip_system_data_time_sync_status_encode_inline(
  *
  * Levels of all user GPIO pins.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A pulse that is shorter than the period at which the field is sent is missed.
  *

@@ -537,6 +537,852 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_no_solution(
 }
 
 /**
+ * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits
+ * 0-31 system, 32-63 inertial sensors, 64-95 navigation. Full name:
+ * cv7_inertial_continuous_built_in_test.
+ *
+ * - ros-driver: Built-in test of the CV7
+ * - mscl: Continuous built-in test
+ */
+struct mip_cv7_inertial_bit {
+    /** Least significant byte first. */
+    uint8_t bytes[16];
+};
+
+/** Bit 0. The system clock has failed. */
+static inline bool
+mip_cv7_inertial_bit_get_system_clock_failure(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 0, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_system_clock_failure(struct mip_cv7_inertial_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 0, 1, value);
+}
+
+/** Bit 1. The power supply has a fault. */
+static inline bool mip_cv7_inertial_bit_get_power_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 1, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_power_fault(struct mip_cv7_inertial_bit *flags,
+                                                        bool value) {
+    mip_set_bits(flags->bytes, 1, 1, value);
+}
+
+/** Bit 4. The firmware has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_firmware_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 4, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_firmware_fault(struct mip_cv7_inertial_bit *flags,
+                                                           bool value) {
+    mip_set_bits(flags->bytes, 4, 1, value);
+}
+
+/** Bit 5. The processor cannot keep up. */
+static inline bool
+mip_cv7_inertial_bit_get_timing_overload(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 5, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_timing_overload(struct mip_cv7_inertial_bit *flags,
+                                                            bool value) {
+    mip_set_bits(flags->bytes, 5, 1, value);
+}
+
+/** Bit 6. A data buffer was full. */
+static inline bool
+mip_cv7_inertial_bit_get_buffer_overrun(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 6, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_buffer_overrun(struct mip_cv7_inertial_bit *flags,
+                                                           bool value) {
+    mip_set_bits(flags->bytes, 6, 1, value);
+}
+
+/** Bit 16. The process of the inertial sensors has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_process_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 16, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_process_fault(struct mip_cv7_inertial_bit *flags,
+                                                              bool value) {
+    mip_set_bits(flags->bytes, 16, 1, value);
+}
+
+/** Bit 17. Sensor data does not come at its base rate. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_data_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 17, 1);
+}
+/** Sets it. */
+static inline void
+mip_cv7_inertial_bit_set_imu_data_rate_mismatch(struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 17, 1, value);
+}
+
+/** Bit 18. Sensor data was dropped. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_overrun_dropped_data(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 18, 1);
+}
+/** Sets it. */
+static inline void
+mip_cv7_inertial_bit_set_imu_overrun_dropped_data(struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 18, 1, value);
+}
+
+/** Bit 19. The process of the inertial sensors does not advance. */
+static inline bool mip_cv7_inertial_bit_get_imu_stuck(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 19, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_stuck(struct mip_cv7_inertial_bit *flags,
+                                                      bool value) {
+    mip_set_bits(flags->bytes, 19, 1, value);
+}
+
+/** Bit 20. The process of the filter has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_filter_process_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 20, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_filter_process_fault(struct mip_cv7_inertial_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 20, 1, value);
+}
+
+/** Bit 21. The filter dropped data. */
+static inline bool
+mip_cv7_inertial_bit_get_filter_dropped_data(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 21, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_filter_dropped_data(struct mip_cv7_inertial_bit *flags,
+                                                                bool value) {
+    mip_set_bits(flags->bytes, 21, 1, value);
+}
+
+/** Bit 22. Filter data does not come at its base rate. */
+static inline bool
+mip_cv7_inertial_bit_get_filter_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 22, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_filter_rate_mismatch(struct mip_cv7_inertial_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 22, 1, value);
+}
+
+/** Bit 23. The process of the filter does not advance. */
+static inline bool mip_cv7_inertial_bit_get_filter_stuck(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 23, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_filter_stuck(struct mip_cv7_inertial_bit *flags,
+                                                         bool value) {
+    mip_set_bits(flags->bytes, 23, 1, value);
+}
+
+/** Bit 32. The clock of the inertial sensors has failed. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_clock_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 32, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_clock_fault(struct mip_cv7_inertial_bit *flags,
+                                                            bool value) {
+    mip_set_bits(flags->bytes, 32, 1, value);
+}
+
+/** Bit 33. The inertial sensors do not communicate. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_comm_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 33, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_comm_fault(struct mip_cv7_inertial_bit *flags,
+                                                           bool value) {
+    mip_set_bits(flags->bytes, 33, 1, value);
+}
+
+/** Bit 34. A cycle of the inertial sensors takes too long. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 34, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_inertial_bit *flags,
+                                                               bool value) {
+    mip_set_bits(flags->bytes, 34, 1, value);
+}
+
+/** Bit 36. The calibration of the accelerometer has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 36, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
+    struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 36, 1, value);
+}
+
+/** Bit 37. The calibration of the gyroscope has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 37, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
+    struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 37, 1, value);
+}
+
+/** Bit 38. The calibration of the magnetometer has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 38, 1);
+}
+/** Sets it. */
+static inline void
+mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 38, 1, value);
+}
+
+/** Bit 40. The accelerometer has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 40, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_accel_general_fault(struct mip_cv7_inertial_bit *flags,
+                                                                bool value) {
+    mip_set_bits(flags->bytes, 40, 1, value);
+}
+
+/** Bit 41. The accelerometer measures near or beyond its range. */
+static inline bool
+mip_cv7_inertial_bit_get_accel_over_range(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 41, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_inertial_bit *flags,
+                                                             bool value) {
+    mip_set_bits(flags->bytes, 41, 1, value);
+}
+
+/** Bit 42. The self test of the accelerometer failed. */
+static inline bool
+mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 42, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_inertial_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 42, 1, value);
+}
+
+/** Bit 44. The gyroscope has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 44, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_gyro_general_fault(struct mip_cv7_inertial_bit *flags,
+                                                               bool value) {
+    mip_set_bits(flags->bytes, 44, 1, value);
+}
+
+/** Bit 45. The gyroscope measures near or beyond its range. */
+static inline bool
+mip_cv7_inertial_bit_get_gyro_over_range(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 45, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inertial_bit *flags,
+                                                            bool value) {
+    mip_set_bits(flags->bytes, 45, 1, value);
+}
+
+/** Bit 46. The self test of the gyroscope failed. */
+static inline bool
+mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 46, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_inertial_bit *flags,
+                                                                bool value) {
+    mip_set_bits(flags->bytes, 46, 1, value);
+}
+
+/** Bit 48. The magnetometer has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 48, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_mag_general_fault(struct mip_cv7_inertial_bit *flags,
+                                                              bool value) {
+    mip_set_bits(flags->bytes, 48, 1, value);
+}
+
+/** Bit 49. The magnetometer measures near or beyond its range. */
+static inline bool
+mip_cv7_inertial_bit_get_mag_over_range(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 49, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inertial_bit *flags,
+                                                           bool value) {
+    mip_set_bits(flags->bytes, 49, 1, value);
+}
+
+/** Bit 50. The self test of the magnetometer failed. */
+static inline bool
+mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 50, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_inertial_bit *flags,
+                                                               bool value) {
+    mip_set_bits(flags->bytes, 50, 1, value);
+}
+
+/** Bit 52. The pressure sensor has a fault. */
+static inline bool
+mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 52, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_pressure_sensor_general_fault(
+    struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 52, 1, value);
+}
+
+/** Bit 53. The pressure sensor measures near or beyond its range. */
+static inline bool
+mip_cv7_inertial_bit_get_pressure_sensor_over_range(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 53, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
+    struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 53, 1, value);
+}
+
+/** Bit 54. The self test of the pressure sensor failed. */
+static inline bool
+mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 54, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_pressure_sensor_self_test_fail(
+    struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 54, 1, value);
+}
+
+/** Bit 56. Factory settings are invalid. */
+static inline bool
+mip_cv7_inertial_bit_get_factory_bits_invalid(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 56, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_factory_bits_invalid(struct mip_cv7_inertial_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 56, 1, value);
+}
+
+/** Bit 64. The filter has a fault. */
+static inline bool mip_cv7_inertial_bit_get_filter_fault(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 64, 1);
+}
+/** Sets it. */
+static inline void mip_cv7_inertial_bit_set_filter_fault(struct mip_cv7_inertial_bit *flags,
+                                                         bool value) {
+    mip_set_bits(flags->bytes, 64, 1, value);
+}
+
+/** Bit 66. A cycle of the filter takes too long. */
+static inline bool
+mip_cv7_inertial_bit_get_filter_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 66, 1);
+}
+/** Sets it. */
+static inline void
+mip_cv7_inertial_bit_set_filter_timing_overrun(struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 66, 1, value);
+}
+
+/** Bit 67. A cycle of the filter begins too late. */
+static inline bool
+mip_cv7_inertial_bit_get_filter_timing_underrun(const struct mip_cv7_inertial_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 67, 1);
+}
+/** Sets it. */
+static inline void
+mip_cv7_inertial_bit_set_filter_timing_underrun(struct mip_cv7_inertial_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 67, 1, value);
+}
+
+/**
+ * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors,
+ * 64-95 navigation, 96-127 GNSS. Full name: gq7_continuous_built_in_test.
+ *
+ * - ros-driver: Built-in test of the GQ7
+ * - mscl: Continuous built-in test
+ */
+struct mip_gq7_bit {
+    /** Least significant byte first. */
+    uint8_t bytes[16];
+};
+
+/** Bit 0. The system clock has failed. */
+static inline bool mip_gq7_bit_get_system_clock_failure(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 0, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_system_clock_failure(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 0, 1, value);
+}
+
+/** Bit 1. The power supply has a fault. */
+static inline bool mip_gq7_bit_get_power_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 1, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_power_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 1, 1, value);
+}
+
+/** Bit 4. The firmware has a fault. */
+static inline bool mip_gq7_bit_get_firmware_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 4, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_firmware_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 4, 1, value);
+}
+
+/** Bit 5. The processor cannot keep up. */
+static inline bool mip_gq7_bit_get_timing_overload(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 5, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_timing_overload(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 5, 1, value);
+}
+
+/** Bit 6. A data buffer was full. */
+static inline bool mip_gq7_bit_get_buffer_overrun(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 6, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_buffer_overrun(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 6, 1, value);
+}
+
+/** Bits 16 to 19. Faults between the processors of the system and of the inertial sensors. */
+static inline uint8_t mip_gq7_bit_get_imu_ipc_fault(const struct mip_gq7_bit *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 16, 4);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 16, 4, value);
+}
+
+/** Bits 20 to 23. Faults between the processors of the system and of the filter. */
+static inline uint8_t mip_gq7_bit_get_filter_ipc_fault(const struct mip_gq7_bit *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 20, 4, value);
+}
+
+/** Bits 24 to 27. Faults between the processors of the system and of GNSS. */
+static inline uint8_t mip_gq7_bit_get_gnss_ipc_fault(const struct mip_gq7_bit *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gnss_ipc_fault(struct mip_gq7_bit *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 24, 4, value);
+}
+
+/** Bit 32. The clock of the inertial sensors has failed. */
+static inline bool mip_gq7_bit_get_imu_clock_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 32, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_clock_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 32, 1, value);
+}
+
+/** Bit 33. The inertial sensors do not communicate. */
+static inline bool mip_gq7_bit_get_imu_comm_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 33, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_comm_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 33, 1, value);
+}
+
+/** Bit 34. A cycle of the inertial sensors takes too long. */
+static inline bool mip_gq7_bit_get_imu_timing_overrun(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 34, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 34, 1, value);
+}
+
+/** Bit 36. The calibration of the accelerometer has a fault. */
+static inline bool mip_gq7_bit_get_imu_calibration_error_accel(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 36, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_calibration_error_accel(struct mip_gq7_bit *flags,
+                                                               bool value) {
+    mip_set_bits(flags->bytes, 36, 1, value);
+}
+
+/** Bit 37. The calibration of the gyroscope has a fault. */
+static inline bool mip_gq7_bit_get_imu_calibration_error_gyro(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 37, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_calibration_error_gyro(struct mip_gq7_bit *flags,
+                                                              bool value) {
+    mip_set_bits(flags->bytes, 37, 1, value);
+}
+
+/** Bit 38. The calibration of the magnetometer has a fault. */
+static inline bool mip_gq7_bit_get_imu_calibration_error_mag(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 38, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_imu_calibration_error_mag(struct mip_gq7_bit *flags,
+                                                             bool value) {
+    mip_set_bits(flags->bytes, 38, 1, value);
+}
+
+/** Bit 40. The accelerometer has a fault. */
+static inline bool mip_gq7_bit_get_accel_general_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 40, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_accel_general_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 40, 1, value);
+}
+
+/** Bit 41. The accelerometer measures near or beyond its range. */
+static inline bool mip_gq7_bit_get_accel_over_range(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 41, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_accel_over_range(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 41, 1, value);
+}
+
+/** Bit 42. The self test of the accelerometer failed. */
+static inline bool mip_gq7_bit_get_accel_self_test_fail(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 42, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_accel_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 42, 1, value);
+}
+
+/** Bit 44. The gyroscope has a fault. */
+static inline bool mip_gq7_bit_get_gyro_general_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 44, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gyro_general_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 44, 1, value);
+}
+
+/** Bit 45. The gyroscope measures near or beyond its range. */
+static inline bool mip_gq7_bit_get_gyro_over_range(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 45, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gyro_over_range(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 45, 1, value);
+}
+
+/** Bit 46. The self test of the gyroscope failed. */
+static inline bool mip_gq7_bit_get_gyro_self_test_fail(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 46, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gyro_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 46, 1, value);
+}
+
+/** Bit 48. The magnetometer has a fault. */
+static inline bool mip_gq7_bit_get_mag_general_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 48, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_mag_general_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 48, 1, value);
+}
+
+/** Bit 49. The magnetometer measures near or beyond its range. */
+static inline bool mip_gq7_bit_get_mag_over_range(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 49, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_mag_over_range(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 49, 1, value);
+}
+
+/** Bit 50. The self test of the magnetometer failed. */
+static inline bool mip_gq7_bit_get_mag_self_test_fail(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 50, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_mag_self_test_fail(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 50, 1, value);
+}
+
+/** Bit 52. The pressure sensor has a fault. */
+static inline bool mip_gq7_bit_get_pressure_sensor_general_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 52, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_pressure_sensor_general_fault(struct mip_gq7_bit *flags,
+                                                                 bool value) {
+    mip_set_bits(flags->bytes, 52, 1, value);
+}
+
+/** Bit 53. The pressure sensor measures near or beyond its range. */
+static inline bool mip_gq7_bit_get_pressure_sensor_over_range(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 53, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_pressure_sensor_over_range(struct mip_gq7_bit *flags,
+                                                              bool value) {
+    mip_set_bits(flags->bytes, 53, 1, value);
+}
+
+/** Bit 54. The self test of the pressure sensor failed. */
+static inline bool mip_gq7_bit_get_pressure_sensor_self_test_fail(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 54, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_pressure_sensor_self_test_fail(struct mip_gq7_bit *flags,
+                                                                  bool value) {
+    mip_set_bits(flags->bytes, 54, 1, value);
+}
+
+/** Bit 64. The clock of the filter has failed. */
+static inline bool mip_gq7_bit_get_filter_clock_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 64, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_clock_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 64, 1, value);
+}
+
+/** Bit 65. The processor of the filter has a fault. */
+static inline bool mip_gq7_bit_get_filter_hardware_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 65, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_hardware_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 65, 1, value);
+}
+
+/** Bit 66. A cycle of the filter takes too long. */
+static inline bool mip_gq7_bit_get_filter_timing_overrun(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 66, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 66, 1, value);
+}
+
+/** Bit 67. A cycle of the filter begins too late. */
+static inline bool mip_gq7_bit_get_filter_timing_underrun(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 67, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_timing_underrun(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 67, 1, value);
+}
+
+/** Bits 68 to 71. Faults in the communication with the filter. */
+static inline uint8_t mip_gq7_bit_get_filter_comm_error(const struct mip_gq7_bit *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 68, 4);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_filter_comm_error(struct mip_gq7_bit *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 68, 4, value);
+}
+
+/** Bit 96. The clock of the GNSS processor has failed. */
+static inline bool mip_gq7_bit_get_gnss_clock_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 96, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gnss_clock_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 96, 1, value);
+}
+
+/** Bit 97. The GNSS processor has a fault. */
+static inline bool mip_gq7_bit_get_gnss_hardware_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 97, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gnss_hardware_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 97, 1, value);
+}
+
+/** Bits 98 to 100. Faults in the communication with the GNSS processor. */
+static inline uint8_t mip_gq7_bit_get_gnss_comm_error(const struct mip_gq7_bit *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 98, 3);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gnss_comm_error(struct mip_gq7_bit *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 98, 3, value);
+}
+
+/** Bit 101. GPS time has a fault. */
+static inline bool mip_gq7_bit_get_gps_time_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 101, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gps_time_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 101, 1, value);
+}
+
+/** Bit 102. A cycle of the GNSS processor takes too long. */
+static inline bool mip_gq7_bit_get_gnss_timing_overrun(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 102, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_gnss_timing_overrun(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 102, 1, value);
+}
+
+/** Bit 104. The power supply of receiver 1 has a fault. */
+static inline bool mip_gq7_bit_get_receiver_1_power_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 104, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_1_power_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 104, 1, value);
+}
+
+/** Bit 105. Receiver 1 has a fault. */
+static inline bool mip_gq7_bit_get_receiver_1_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 105, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_1_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 105, 1, value);
+}
+
+/** Bit 106. Antenna 1 is a short circuit. */
+static inline bool mip_gq7_bit_get_antenna_1_shorted(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 106, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_antenna_1_shorted(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 106, 1, value);
+}
+
+/** Bit 107. Antenna 1 is not connected. */
+static inline bool mip_gq7_bit_get_antenna_1_open(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 107, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_antenna_1_open(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 107, 1, value);
+}
+
+/** Bit 108. Receiver 1 has no solution. */
+static inline bool mip_gq7_bit_get_receiver_1_solution_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 108, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_1_solution_fault(struct mip_gq7_bit *flags,
+                                                             bool value) {
+    mip_set_bits(flags->bytes, 108, 1, value);
+}
+
+/** Bit 109. The power supply of receiver 2 has a fault. */
+static inline bool mip_gq7_bit_get_receiver_2_power_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 109, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_2_power_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 109, 1, value);
+}
+
+/** Bit 110. Receiver 2 has a fault. */
+static inline bool mip_gq7_bit_get_receiver_2_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 110, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_2_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 110, 1, value);
+}
+
+/** Bit 111. Antenna 2 is a short circuit. */
+static inline bool mip_gq7_bit_get_antenna_2_shorted(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 111, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_antenna_2_shorted(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 111, 1, value);
+}
+
+/** Bit 112. Antenna 2 is not connected. */
+static inline bool mip_gq7_bit_get_antenna_2_open(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 112, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_antenna_2_open(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 112, 1, value);
+}
+
+/** Bit 113. Receiver 2 has no solution. */
+static inline bool mip_gq7_bit_get_receiver_2_solution_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 113, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_receiver_2_solution_fault(struct mip_gq7_bit *flags,
+                                                             bool value) {
+    mip_set_bits(flags->bytes, 113, 1, value);
+}
+
+/** Bit 114. RTCM corrections do not arrive properly. */
+static inline bool mip_gq7_bit_get_rtcm_comm_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 114, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_rtcm_comm_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 114, 1, value);
+}
+
+/** Bit 115. The RTK modem has a fault. */
+static inline bool mip_gq7_bit_get_rtk_dongle_fault(const struct mip_gq7_bit *flags) {
+    return (bool)mip_get_bits(flags->bytes, 115, 1);
+}
+/** Sets it. */
+static inline void mip_gq7_bit_set_rtk_dongle_fault(struct mip_gq7_bit *flags, bool value) {
+    mip_set_bits(flags->bytes, 115, 1, value);
+}
+
+/**
  * Kind of an event trigger.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)

@@ -28,7 +28,7 @@
                 const head = row.parentElement === table.tHead;
                 const field = row.querySelector("td a[href]")?.getAttribute("href");
                 const cell = made(head ? "th" : "td", { hidden: true });
-                cell.append(head ? link.cloneNode(true) : fields.includes(field) ? "perhaps" : "?");
+                cell.append(head ? link.cloneNode(true) : fields.includes(field) ? "probable" : "?");
                 row.append(cell);
             }
         }

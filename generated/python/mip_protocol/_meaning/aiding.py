@@ -21,7 +21,7 @@ TYPES: dict[str, Info] = {
     "AxisFlags": BitsInfo("aiding.axis_flags", aiding.AxisFlags),
     "LlhAxisFlags": BitsInfo("aiding.llh_axis_flags", aiding.LlhAxisFlags),
     "FrameConfig": FieldInfo(
-        "aiding.frame_config", aiding.FrameConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.frame_config", aiding.FrameConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4, required=("write", "read", "save", "load", "default")),
@@ -32,14 +32,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EchoControl": FieldInfo(
-        "aiding.echo_control", aiding.EchoControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.echo_control", aiding.EchoControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("mode", "mode", "scalar", scalar="u8", required=("write",), type=aiding.AidingEchoMode),
         ),
     ),
     "EcefPosition": FieldInfo(
-        "aiding.ecef_position", aiding.EcefPosition, devices=("3dm-cv7-gnss-ins",),
+        "aiding.ecef_position", aiding.EcefPosition, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -49,7 +49,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "LlhPosition": FieldInfo(
-        "aiding.llh_position", aiding.LlhPosition, devices=("3dm-cv7-gnss-ins",),
+        "aiding.llh_position", aiding.LlhPosition, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -61,7 +61,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "HeightAboveEllipsoid": FieldInfo(
-        "aiding.height_above_ellipsoid", aiding.HeightAboveEllipsoid, devices=("3dm-cv7-gnss-ins",),
+        "aiding.height_above_ellipsoid", aiding.HeightAboveEllipsoid, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -71,7 +71,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EcefVelocity": FieldInfo(
-        "aiding.ecef_velocity", aiding.EcefVelocity, devices=("3dm-cv7-gnss-ins",),
+        "aiding.ecef_velocity", aiding.EcefVelocity, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -81,7 +81,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NedVelocity": FieldInfo(
-        "aiding.ned_velocity", aiding.NedVelocity, devices=("3dm-cv7-gnss-ins",),
+        "aiding.ned_velocity", aiding.NedVelocity, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -91,7 +91,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "BodyFrameVelocity": FieldInfo(
-        "aiding.body_frame_velocity", aiding.BodyFrameVelocity, devices=("3dm-cv7-gnss-ins",),
+        "aiding.body_frame_velocity", aiding.BodyFrameVelocity, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -101,7 +101,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "TrueHeading": FieldInfo(
-        "aiding.true_heading", aiding.TrueHeading, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.true_heading", aiding.TrueHeading, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -111,7 +111,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "MagneticField": FieldInfo(
-        "aiding.magnetic_field", aiding.MagneticField, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.magnetic_field", aiding.MagneticField, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -121,7 +121,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Pressure": FieldInfo(
-        "aiding.pressure", aiding.Pressure, devices=("3dm-cv7-gnss-ins",),
+        "aiding.pressure", aiding.Pressure, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
@@ -131,7 +131,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FrameConfigResponse": FieldInfo(
-        "aiding.frame_config_response", aiding.FrameConfigResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.frame_config_response", aiding.FrameConfigResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
             Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
@@ -141,7 +141,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EchoControlResponse": FieldInfo(
-        "aiding.echo_control_response", aiding.EchoControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
+        "aiding.echo_control_response", aiding.EchoControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("mode", "mode", "scalar", scalar="u8", type=aiding.AidingEchoMode),
         ),

@@ -24,12 +24,12 @@ TYPES: dict[str, Info] = {
     "AmbiguityFixMode": EnumInfo("gnss.ambiguity_fix_mode", gnss.AmbiguityFixMode),
     "SpartnConnection": EnumInfo("gnss.spartn_connection", gnss.SpartnConnection),
     "ReceiverInfo": FieldInfo(
-        "gnss.receiver_info", gnss.ReceiverInfo, devices=("3dm-cv7-gnss-ins",),
+        "gnss.receiver_info", gnss.ReceiverInfo, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
         ),
     ),
     "SignalConfig": FieldInfo(
-        "gnss.signal_config", gnss.SignalConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "gnss.signal_config", gnss.SignalConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", required=("write",), type=gnss.GpsSignals),
@@ -55,7 +55,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "RtkDongleConfig": FieldInfo(
-        "gnss.rtk_dongle_config", gnss.RtkDongleConfig, functions=("write", "read", "save", "load", "default"),
+        "gnss.rtk_dongle_config", gnss.RtkDongleConfig, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0),
@@ -77,14 +77,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ReceiverInfoResponse": FieldInfo(
-        "gnss.receiver_info_response", gnss.ReceiverInfoResponse, devices=("3dm-cv7-gnss-ins",),
+        "gnss.receiver_info_response", gnss.ReceiverInfoResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("num_receivers", "num_receivers", "counter", scalar="u8", counts="receiver_info"),
             Parameter("receiver_info", "receiver_info", "array", length="num_receivers", type=gnss.ReceiverInfoEntry),
         ),
     ),
     "SignalConfigResponse": FieldInfo(
-        "gnss.signal_config_response", gnss.SignalConfigResponse, devices=("3dm-cv7-gnss-ins",),
+        "gnss.signal_config_response", gnss.SignalConfigResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
             Parameter("glonass_enable", "glonass_enable", "scalar", scalar="u8", type=gnss.GlonassSignals),
@@ -101,7 +101,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "RtkDongleConfigResponse": FieldInfo(
-        "gnss.rtk_dongle_config_response", gnss.RtkDongleConfigResponse,
+        "gnss.rtk_dongle_config_response", gnss.RtkDongleConfigResponse, perhaps=("3dm-gq7",),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("reserved", "reserved", "array", scalar="u8", length=3, reserved=True, default=0),

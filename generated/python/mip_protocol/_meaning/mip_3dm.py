@@ -56,7 +56,7 @@ TYPES: dict[str, Info] = {
     "DeviceStatusSelector": EnumInfo("3dm.device_status_selector", mip_3dm.DeviceStatusSelector),
     "LegacyDataStream": EnumInfo("3dm.legacy_data_stream", mip_3dm.LegacyDataStream),
     "PollImuData": FieldInfo(
-        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -64,7 +64,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollGnssData": FieldInfo(
-        "3dm.poll_gnss_data", mip_3dm.PollGnssData, devices=("3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.poll_gnss_data", mip_3dm.PollGnssData, devices=("3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=83, minimum=0),
@@ -72,7 +72,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollFilterData": FieldInfo(
-        "3dm.poll_filter_data", mip_3dm.PollFilterData, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.poll_filter_data", mip_3dm.PollFilterData, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -80,7 +80,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollNmeaData": FieldInfo(
-        "3dm.poll_nmea_data", mip_3dm.PollNmeaData, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
+        "3dm.poll_nmea_data", mip_3dm.PollNmeaData, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
             Parameter("count", "count", "counter", scalar="u8", counts="format_entries"),
@@ -88,17 +88,17 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetImuBaseRate": FieldInfo(
-        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.get_imu_base_rate", mip_3dm.GetImuBaseRate, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
         ),
     ),
     "GetGnssBaseRate": FieldInfo(
-        "3dm.get_gnss_base_rate", mip_3dm.GetGnssBaseRate, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.get_gnss_base_rate", mip_3dm.GetGnssBaseRate, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
         ),
     ),
     "ImuMessageFormat": FieldInfo(
-        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.imu_message_format", mip_3dm.ImuMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
@@ -106,7 +106,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssMessageFormat": FieldInfo(
-        "3dm.gnss_message_format", mip_3dm.GnssMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.gnss_message_format", mip_3dm.GnssMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, required=("write",), minimum=0),
@@ -114,7 +114,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FilterMessageFormat": FieldInfo(
-        "3dm.filter_message_format", mip_3dm.FilterMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.filter_message_format", mip_3dm.FilterMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", required=("write",)),
@@ -122,12 +122,12 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetFilterBaseRate": FieldInfo(
-        "3dm.get_filter_base_rate", mip_3dm.GetFilterBaseRate, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.get_filter_base_rate", mip_3dm.GetFilterBaseRate, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
         ),
     ),
     "NmeaMessageFormat": FieldInfo(
-        "3dm.nmea_message_format", mip_3dm.NmeaMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.nmea_message_format", mip_3dm.NmeaMessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("count", "count", "counter", scalar="u8", counts="format_entries", required=("write",)),
@@ -135,7 +135,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PollData": FieldInfo(
-        "3dm.poll_data", mip_3dm.PollData, devices=("3dm-cv7-gnss-ins",),
+        "3dm.poll_data", mip_3dm.PollData, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
             Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
@@ -144,13 +144,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetBaseRate": FieldInfo(
-        "3dm.get_base_rate", mip_3dm.GetBaseRate, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_base_rate", mip_3dm.GetBaseRate, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
         ),
     ),
     "MessageFormat": FieldInfo(
-        "3dm.message_format", mip_3dm.MessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.message_format", mip_3dm.MessageFormat, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -159,17 +159,17 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FactoryStreaming": FieldInfo(
-        "3dm.factory_streaming", mip_3dm.FactoryStreaming, devices=("3dm-cv7-gnss-ins",),
+        "3dm.factory_streaming", mip_3dm.FactoryStreaming, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("action", "action", "scalar", scalar="u8", type=mip_3dm.FactoryStreamingAction),
             Parameter("reserved", "reserved", "scalar", scalar="u8", reserved=True, default=0),
         ),
     ),
     "DataStreamControl": FieldInfo(
-        "3dm.data_stream_control", mip_3dm.DataStreamControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
+        "3dm.data_stream_control", mip_3dm.DataStreamControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
@@ -180,7 +180,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ConstellationSettings": FieldInfo(
-        "3dm.constellation_settings", mip_3dm.ConstellationSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-gx5-45",),
+        "3dm.constellation_settings", mip_3dm.ConstellationSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("max_channels", "max_channels", "scalar", scalar="u16", units=("1",), required=("write",)),
@@ -189,7 +189,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssSbasSettings": FieldInfo(
-        "3dm.gnss_sbas_settings", mip_3dm.GnssSbasSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_sbas_settings", mip_3dm.GnssSbasSettings, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", maximum=1, required=("write",), minimum=0, variants=(Variant("device", ("3dm-gx5-35",), {"default": 1}),)),
@@ -199,7 +199,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssAssistedFix": FieldInfo(
-        "3dm.gnss_assisted_fix", mip_3dm.GnssAssistedFix, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-35",), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_assisted_fix", mip_3dm.GnssAssistedFix, functions=("write", "read", "save", "load", "default"), devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("option", "option", "scalar", scalar="u8", required=("write",), default=0, type=mip_3dm.AssistedFixOption, variants=(Variant("device", ("3dm-gx5-35",), {"default": 0}),)),
@@ -207,7 +207,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssTimeAssistance": FieldInfo(
-        "3dm.gnss_time_assistance", mip_3dm.GnssTimeAssistance, functions=("write", "read"), devices=("3dm-gx5-35",), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_time_assistance", mip_3dm.GnssTimeAssistance, functions=("write", "read"), devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",), required=("write",)),
@@ -216,20 +216,20 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PpsSourceControl": FieldInfo(
-        "3dm.pps_source_control", mip_3dm.PpsSourceControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar"),
+        "3dm.pps_source_control", mip_3dm.PpsSourceControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=mip_3dm.PpsSource, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar"), {"only": ("disabled", "gpio", "generated")}), Variant("device", ("3dm-cv7-gnss-ins",), {"default": 1}),)),
+            Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=mip_3dm.PpsSource, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"only": ("disabled", "gpio", "generated")}), Variant("device", ("3dm-cv7-gnss-ins",), {"default": 1}), Variant("device", ("3dm-gq7",), {"only": ("disabled", "receiver_1", "receiver_2", "gpio", "generated")}),)),
         ),
     ),
     "GetEventSupport": FieldInfo(
-        "3dm.get_event_support", mip_3dm.GetEventSupport, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_support", mip_3dm.GetEventSupport, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
         ),
     ),
     "EventControl": FieldInfo(
-        "3dm.event_control", mip_3dm.EventControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_control", mip_3dm.EventControl, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("instance", "instance", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -237,21 +237,21 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetEventTriggerStatus": FieldInfo(
-        "3dm.get_event_trigger_status", mip_3dm.GetEventTriggerStatus, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_trigger_status", mip_3dm.GetEventTriggerStatus, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("requested_count", "requested_count", "counter", scalar="u8", counts="requested_instances"),
             Parameter("requested_instances", "requested_instances", "array", scalar="u8", length="requested_count"),
         ),
     ),
     "GetEventActionStatus": FieldInfo(
-        "3dm.get_event_action_status", mip_3dm.GetEventActionStatus, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_action_status", mip_3dm.GetEventActionStatus, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("requested_count", "requested_count", "counter", scalar="u8", counts="requested_instances"),
             Parameter("requested_instances", "requested_instances", "array", scalar="u8", length="requested_count"),
         ),
     ),
     "EventTriggerConfig": FieldInfo(
-        "3dm.event_trigger_config", mip_3dm.EventTriggerConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_trigger_config", mip_3dm.EventTriggerConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("instance", "instance", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -260,7 +260,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EventActionConfig": FieldInfo(
-        "3dm.event_action_config", mip_3dm.EventActionConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_action_config", mip_3dm.EventActionConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("instance", "instance", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -270,13 +270,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceSettings": FieldInfo(
-        "3dm.device_settings", mip_3dm.DeviceSettings, functions=("save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.device_settings", mip_3dm.DeviceSettings, functions=("save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-rtk"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         ),
     ),
     "SensorToVehicleTransformEuler": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_euler", mip_3dm.SensorToVehicleTransformEuler, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
+        "3dm.sensor_to_vehicle_transform_euler", mip_3dm.SensorToVehicleTransformEuler, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), required=("write",)),
@@ -285,14 +285,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SensorToVehicleTransformQuaternion": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_quaternion", mip_3dm.SensorToVehicleTransformQuaternion, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_to_vehicle_transform_quaternion", mip_3dm.SensorToVehicleTransformQuaternion, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), required=("write",)),
         ),
     ),
     "SensorToVehicleTransformDcm": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_dcm", mip_3dm.SensorToVehicleTransformDcm, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_to_vehicle_transform_dcm", mip_3dm.SensorToVehicleTransformDcm, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("dcm", "dcm", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), required=("write",)),
@@ -306,7 +306,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuSignalConditioning": FieldInfo(
-        "3dm.imu_signal_conditioning", mip_3dm.ImuSignalConditioning, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        "3dm.imu_signal_conditioning", mip_3dm.ImuSignalConditioning, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("orientation_decimation", "orientation_decimation", "scalar", scalar="u16", units=("1",), minimum=1, maximum=1000, required=("write",)),
@@ -320,7 +320,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuTimestamp": FieldInfo(
-        "3dm.imu_timestamp", mip_3dm.ImuTimestamp, functions=("write", "read"), perhaps=("3dm-gx3-35",),
+        "3dm.imu_timestamp", mip_3dm.ImuTimestamp, functions=("write", "read"), perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("selector", "selector", "scalar", scalar="u8", required=("write", "read"), type=mip_3dm.ImuTimestampSelector),
@@ -328,55 +328,55 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBias": FieldInfo(
-        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",), advanced=True,
+        "3dm.accel_bias", mip_3dm.AccelBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "GyroBias": FieldInfo(
-        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35", "3dm-gx5-45"), advanced=True,
+        "3dm.gyro_bias", mip_3dm.GyroBias, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "CaptureGyroBias": FieldInfo(
-        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.capture_gyro_bias", mip_3dm.CaptureGyroBias, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",), minimum=1000, maximum=30000),
         ),
     ),
     "MagHardIronOffset": FieldInfo(
-        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.mag_hard_iron_offset", mip_3dm.MagHardIronOffset, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor", required=("write", "apply"), variants=(Variant("device", ("3dm-gx5-45",), {"default": (0, 0, 0)}),)),
         ),
     ),
     "MagSoftIronMatrix": FieldInfo(
-        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.mag_soft_iron_matrix", mip_3dm.MagSoftIronMatrix, functions=("write", "read", "save", "load", "default", "apply"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor", required=("write", "apply")),
         ),
     ),
     "ConingScullingEnable": FieldInfo(
-        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.coning_sculling_enable", mip_3dm.ConingScullingEnable, functions=("write", "read", "save", "load", "default"), devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True, required=("write",)),
         ),
     ),
     "UartBaudRate": FieldInfo(
-        "3dm.uart_baud_rate", mip_3dm.UartBaudRate, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.uart_baud_rate", mip_3dm.UartBaudRate, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",), required=("write",), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-45"), {"default": 115200}),)),
         ),
     ),
     "GpioConfig": FieldInfo(
-        "3dm.gpio_config", mip_3dm.GpioConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
+        "3dm.gpio_config", mip_3dm.GpioConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("pin", "pin", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -386,7 +386,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GpioState": FieldInfo(
-        "3dm.gpio_state", mip_3dm.GpioState, functions=("write", "read"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.gpio_state", mip_3dm.GpioState, functions=("write", "read"), devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("pin", "pin", "scalar", scalar="u8", minimum=1, required=("write", "read")),
@@ -394,7 +394,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "OdometerConfig": FieldInfo(
-        "3dm.odometer_config", mip_3dm.OdometerConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.odometer_config", mip_3dm.OdometerConfig, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("mode", "mode", "scalar", scalar="u8", required=("write",), type=mip_3dm.OdometerMode),
@@ -403,7 +403,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuLowPassFilter": FieldInfo(
-        "3dm.imu_low_pass_filter", mip_3dm.ImuLowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
+        "3dm.imu_low_pass_filter", mip_3dm.ImuLowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"), advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-gnss-ins",), {}),)),
@@ -414,17 +414,17 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ComplementaryFilter": FieldInfo(
-        "3dm.complementary_filter", mip_3dm.ComplementaryFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-15", "3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15", "3dm-gx5-10", "3dm-gx5-45"),
+        "3dm.complementary_filter", mip_3dm.ComplementaryFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-gx5-15",), {"default": True}),)),
-            Parameter("heading_enable", "heading_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-cl5-15", "3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15", "3dm-gx5-10"), {}), Variant("device", ("3dm-gx5-15",), {"default": True}),)),
+            Parameter("heading_enable", "heading_enable", "scalar", scalar="bool", required=("write",), variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15", "3dm-gx5-10"), {}), Variant("device", ("3dm-gx5-15",), {"default": True}),)),
             Parameter("pitch_roll_time_constant", "pitch_roll_time_constant", "scalar", scalar="float", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
             Parameter("heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",), minimum=1, maximum=1000, default=10, required=("write",)),
         ),
     ),
     "SensorRange": FieldInfo(
-        "3dm.sensor_range", mip_3dm.SensorRange, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_range", mip_3dm.SensorRange, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("sensor", "sensor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), type=mip_3dm.SensorRangeType),
@@ -432,13 +432,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetCalibratedSensorRanges": FieldInfo(
-        "3dm.get_calibrated_sensor_ranges", mip_3dm.GetCalibratedSensorRanges, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_calibrated_sensor_ranges", mip_3dm.GetCalibratedSensorRanges, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("sensor", "sensor", "scalar", scalar="u8", type=mip_3dm.SensorRangeType),
         ),
     ),
     "LowPassFilter": FieldInfo(
-        "3dm.low_pass_filter", mip_3dm.LowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
+        "3dm.low_pass_filter", mip_3dm.LowPassFilter, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
@@ -457,7 +457,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DevicePowerState": FieldInfo(
-        "3dm.device_power_state", mip_3dm.DevicePowerState, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-35",),
+        "3dm.device_power_state", mip_3dm.DevicePowerState, functions=("write", "read", "save", "load", "default"), perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("device", "device", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), type=mip_3dm.InternalSensor),
@@ -471,54 +471,54 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatus": FieldInfo(
-        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"), advanced=True,
+        "3dm.device_status", mip_3dm.DeviceStatus, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"), advanced=True,
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16", variants=(Variant("device", ("3dm-gx5-15",), {"constant": 6254}), Variant("device", ("3dm-gx5-35",), {"constant": 6252}), Variant("device", ("3dm-gx5-45",), {"constant": 6251}),)),
             Parameter("status_selector", "status_selector", "scalar", scalar="u8", type=mip_3dm.DeviceStatusSelector),
         ),
     ),
     "ImuMessageFormatResponse": FieldInfo(
-        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.imu_message_format_response", mip_3dm.ImuMessageFormatResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormatResponse": FieldInfo(
-        "3dm.gnss_message_format_response", mip_3dm.GnssMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.gnss_message_format_response", mip_3dm.GnssMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors", maximum=82, minimum=0),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormatResponse": FieldInfo(
-        "3dm.filter_message_format_response", mip_3dm.FilterMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.filter_message_format_response", mip_3dm.FilterMessageFormatResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "GetImuBaseRateResponse": FieldInfo(
-        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.get_imu_base_rate_response", mip_3dm.GetImuBaseRateResponse, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "GetGnssBaseRateResponse": FieldInfo(
-        "3dm.get_gnss_base_rate_response", mip_3dm.GetGnssBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.get_gnss_base_rate_response", mip_3dm.GetGnssBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "DataStreamControlResponse": FieldInfo(
-        "3dm.data_stream_control_response", mip_3dm.DataStreamControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
+        "3dm.data_stream_control_response", mip_3dm.DataStreamControlResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", variants=(Variant("device", ("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enabled", "enabled", "scalar", scalar="bool"),
         ),
     ),
     "ImuSignalConditioningResponse": FieldInfo(
-        "3dm.imu_signal_conditioning_response", mip_3dm.ImuSignalConditioningResponse, perhaps=("3dm-gx3-35",),
+        "3dm.imu_signal_conditioning_response", mip_3dm.ImuSignalConditioningResponse, perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45"),
         parameters=(
             Parameter("orientation_decimation", "orientation_decimation", "scalar", scalar="u16", units=("1",), minimum=1, maximum=1000),
             Parameter("data_conditioning_flags", "data_conditioning_flags", "scalar", scalar="u16", default=3, type=mip_3dm.DataConditioningFlags),
@@ -531,7 +531,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "UartBaudRateResponse": FieldInfo(
-        "3dm.uart_baud_rate_response", mip_3dm.UartBaudRateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.uart_baud_rate_response", mip_3dm.UartBaudRateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
         ),
@@ -544,20 +544,20 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DevicePowerStateResponse": FieldInfo(
-        "3dm.device_power_state_response", mip_3dm.DevicePowerStateResponse, perhaps=("3dm-gx3-35",),
+        "3dm.device_power_state_response", mip_3dm.DevicePowerStateResponse, perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35"),
         parameters=(
             Parameter("device", "device", "scalar", scalar="u8", type=mip_3dm.InternalSensor),
             Parameter("state", "state", "scalar", scalar="u8", type=mip_3dm.SensorPowerState),
         ),
     ),
     "GetFilterBaseRateResponse": FieldInfo(
-        "3dm.get_filter_base_rate_response", mip_3dm.GetFilterBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
+        "3dm.get_filter_base_rate_response", mip_3dm.GetFilterBaseRateResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "ImuLowPassFilterResponse": FieldInfo(
-        "3dm.imu_low_pass_filter_response", mip_3dm.ImuLowPassFilterResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.imu_low_pass_filter_response", mip_3dm.ImuLowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
@@ -567,21 +567,21 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "NmeaMessageFormatResponse": FieldInfo(
-        "3dm.nmea_message_format_response", mip_3dm.NmeaMessageFormatResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.nmea_message_format_response", mip_3dm.NmeaMessageFormatResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins"),
         parameters=(
             Parameter("count", "count", "counter", scalar="u8", counts="format_entries"),
             Parameter("format_entries", "format_entries", "array", length="count", type=types.NmeaMessage),
         ),
     ),
     "GetBaseRateResponse": FieldInfo(
-        "3dm.get_base_rate_response", mip_3dm.GetBaseRateResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_base_rate_response", mip_3dm.GetBaseRateResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
             Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
         ),
     ),
     "MessageFormatResponse": FieldInfo(
-        "3dm.message_format_response", mip_3dm.MessageFormatResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.message_format_response", mip_3dm.MessageFormatResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
             Parameter("num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"),
@@ -589,7 +589,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicResponse": FieldInfo(
-        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -608,7 +608,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticResponse": FieldInfo(
-        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx5-25"),
+        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -780,14 +780,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ImuTimestampResponse": FieldInfo(
-        "3dm.imu_timestamp_response", mip_3dm.ImuTimestampResponse, perhaps=("3dm-gx3-35",),
+        "3dm.imu_timestamp_response", mip_3dm.ImuTimestampResponse, perhaps=("3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45"),
         parameters=(
             Parameter("selector", "selector", "scalar", scalar="u8", type=mip_3dm.ImuTimestampSelector),
             Parameter("time", "time", "scalar", scalar="u32"),
         ),
     ),
     "ComplementaryFilterResponse": FieldInfo(
-        "3dm.complementary_filter_response", mip_3dm.ComplementaryFilterResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-15", "3dm-cv5-10", "3dm-cv5-15", "3dm-cx5-10", "3dm-cx5-15", "3dm-gx5-10", "3dm-gx5-45"),
+        "3dm.complementary_filter_response", mip_3dm.ComplementaryFilterResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
             Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
@@ -796,37 +796,37 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "AccelBiasResponse": FieldInfo(
-        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.accel_bias_response", mip_3dm.AccelBiasResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",), frame="sensor"),
         ),
     ),
     "GyroBiasResponse": FieldInfo(
-        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.gyro_bias_response", mip_3dm.GyroBiasResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), frame="sensor"),
         ),
     ),
     "MagHardIronOffsetResponse": FieldInfo(
-        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35",),
+        "3dm.mag_hard_iron_offset_response", mip_3dm.MagHardIronOffsetResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35"),
         parameters=(
             Parameter("offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), frame="sensor"),
         ),
     ),
     "MagSoftIronMatrixResponse": FieldInfo(
-        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-45",),
+        "3dm.mag_soft_iron_matrix_response", mip_3dm.MagSoftIronMatrixResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
             Parameter("matrix", "matrix", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="sensor"),
         ),
     ),
     "ConingScullingEnableResponse": FieldInfo(
-        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-gx5-35", "3dm-gx5-45"),
+        "3dm.coning_sculling_enable_response", mip_3dm.ConingScullingEnableResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="bool", default=True),
         ),
     ),
     "ConstellationSettingsResponse": FieldInfo(
-        "3dm.constellation_settings_response", mip_3dm.ConstellationSettingsResponse, devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-gx5-45",),
+        "3dm.constellation_settings_response", mip_3dm.ConstellationSettingsResponse, devices=("3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)),
             Parameter("max_channels_use", "max_channels_use", "scalar", scalar="u16", units=("1",)),
@@ -835,7 +835,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssSbasSettingsResponse": FieldInfo(
-        "3dm.gnss_sbas_settings_response", mip_3dm.GnssSbasSettingsResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_sbas_settings_response", mip_3dm.GnssSbasSettingsResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", maximum=1, minimum=0),
             Parameter("sbas_options", "sbas_options", "scalar", scalar="u16", type=mip_3dm.SbasOptions),
@@ -844,14 +844,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GnssAssistedFixResponse": FieldInfo(
-        "3dm.gnss_assisted_fix_response", mip_3dm.GnssAssistedFixResponse, devices=("3dm-gx5-35",), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_assisted_fix_response", mip_3dm.GnssAssistedFixResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("option", "option", "scalar", scalar="u8", default=0, type=mip_3dm.AssistedFixOption),
             Parameter("flags", "flags", "scalar", scalar="u8", default=255, reserved=True),
         ),
     ),
     "GnssTimeAssistanceResponse": FieldInfo(
-        "3dm.gnss_time_assistance_response", mip_3dm.GnssTimeAssistanceResponse, devices=("3dm-gx5-35",), perhaps=("3dm-gx5-45",),
+        "3dm.gnss_time_assistance_response", mip_3dm.GnssTimeAssistanceResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
@@ -859,13 +859,13 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "PpsSourceControlResponse": FieldInfo(
-        "3dm.pps_source_control_response", mip_3dm.PpsSourceControlResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar"),
+        "3dm.pps_source_control_response", mip_3dm.PpsSourceControlResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
         ),
     ),
     "SensorToVehicleTransformEulerResponse": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_euler_response", mip_3dm.SensorToVehicleTransformEulerResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
+        "3dm.sensor_to_vehicle_transform_euler_response", mip_3dm.SensorToVehicleTransformEulerResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
             Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
@@ -873,19 +873,19 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SensorToVehicleTransformQuaternionResponse": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_quaternion_response", mip_3dm.SensorToVehicleTransformQuaternionResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_to_vehicle_transform_quaternion_response", mip_3dm.SensorToVehicleTransformQuaternionResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
         ),
     ),
     "SensorToVehicleTransformDcmResponse": FieldInfo(
-        "3dm.sensor_to_vehicle_transform_dcm_response", mip_3dm.SensorToVehicleTransformDcmResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_to_vehicle_transform_dcm_response", mip_3dm.SensorToVehicleTransformDcmResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("dcm", "dcm", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",)),
         ),
     ),
     "GetEventSupportResponse": FieldInfo(
-        "3dm.get_event_support_response", mip_3dm.GetEventSupportResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_support_response", mip_3dm.GetEventSupportResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
             Parameter("max_instances", "max_instances", "scalar", scalar="u8", units=("1",)),
@@ -894,28 +894,28 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EventControlResponse": FieldInfo(
-        "3dm.event_control_response", mip_3dm.EventControlResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_control_response", mip_3dm.EventControlResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("instance", "instance", "scalar", scalar="u8"),
             Parameter("mode", "mode", "scalar", scalar="u8", default=0, type=types.EventTriggerMode),
         ),
     ),
     "GetEventTriggerStatusResponse": FieldInfo(
-        "3dm.get_event_trigger_status_response", mip_3dm.GetEventTriggerStatusResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_trigger_status_response", mip_3dm.GetEventTriggerStatusResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("count", "count", "counter", scalar="u8", counts="triggers"),
             Parameter("triggers", "triggers", "array", length="count", type=mip_3dm.EventTriggerStatusEntry),
         ),
     ),
     "GetEventActionStatusResponse": FieldInfo(
-        "3dm.get_event_action_status_response", mip_3dm.GetEventActionStatusResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_event_action_status_response", mip_3dm.GetEventActionStatusResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("count", "count", "counter", scalar="u8", counts="actions"),
             Parameter("actions", "actions", "array", length="count", type=mip_3dm.EventActionStatusEntry),
         ),
     ),
     "EventTriggerConfigResponse": FieldInfo(
-        "3dm.event_trigger_config_response", mip_3dm.EventTriggerConfigResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_trigger_config_response", mip_3dm.EventTriggerConfigResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("instance", "instance", "scalar", scalar="u8"),
             Parameter("type", "type", "scalar", scalar="u8", default=0, type=types.EventTriggerType),
@@ -923,7 +923,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "EventActionConfigResponse": FieldInfo(
-        "3dm.event_action_config_response", mip_3dm.EventActionConfigResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.event_action_config_response", mip_3dm.EventActionConfigResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("instance", "instance", "scalar", scalar="u8"),
             Parameter("trigger", "trigger", "scalar", scalar="u8"),
@@ -932,7 +932,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GpioConfigResponse": FieldInfo(
-        "3dm.gpio_config_response", mip_3dm.GpioConfigResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
+        "3dm.gpio_config_response", mip_3dm.GpioConfigResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("pin", "pin", "scalar", scalar="u8"),
             Parameter("feature", "feature", "scalar", scalar="u8", default=0, type=types.GpioFeature),
@@ -941,14 +941,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GpioStateResponse": FieldInfo(
-        "3dm.gpio_state_response", mip_3dm.GpioStateResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.gpio_state_response", mip_3dm.GpioStateResponse, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("pin", "pin", "scalar", scalar="u8", minimum=1),
             Parameter("state", "state", "scalar", scalar="bool"),
         ),
     ),
     "OdometerConfigResponse": FieldInfo(
-        "3dm.odometer_config_response", mip_3dm.OdometerConfigResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.odometer_config_response", mip_3dm.OdometerConfigResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
             Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
@@ -956,14 +956,14 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SensorRangeResponse": FieldInfo(
-        "3dm.sensor_range_response", mip_3dm.SensorRangeResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.sensor_range_response", mip_3dm.SensorRangeResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("sensor", "sensor", "scalar", scalar="u8", type=mip_3dm.SensorRangeType),
             Parameter("setting", "setting", "scalar", scalar="u8"),
         ),
     ),
     "GetCalibratedSensorRangesResponse": FieldInfo(
-        "3dm.get_calibrated_sensor_ranges_response", mip_3dm.GetCalibratedSensorRangesResponse, devices=("3dm-cv7-gnss-ins",),
+        "3dm.get_calibrated_sensor_ranges_response", mip_3dm.GetCalibratedSensorRangesResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("sensor", "sensor", "scalar", scalar="u8", type=mip_3dm.SensorRangeType),
             Parameter("num_ranges", "num_ranges", "counter", scalar="u8", counts="ranges"),
@@ -971,7 +971,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "LowPassFilterResponse": FieldInfo(
-        "3dm.low_pass_filter_response", mip_3dm.LowPassFilterResponse, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
+        "3dm.low_pass_filter_response", mip_3dm.LowPassFilterResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
             Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),

@@ -15,7 +15,7 @@ TYPES: dict[str, Info] = {
     "StorageMedium": EnumInfo("rtk.storage_medium", rtk.StorageMedium),
     "LedAction": EnumInfo("rtk.led_action", rtk.LedAction),
     "GetStatusFlags": FieldInfo(
-        "rtk.get_status_flags", rtk.GetStatusFlags,
+        "rtk.get_status_flags", rtk.GetStatusFlags, perhaps=("3dm-rtk",),
         parameters=(
         ),
     ),
@@ -47,7 +47,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetActivationCode": FieldInfo(
-        "rtk.get_activation_code", rtk.GetActivationCode,
+        "rtk.get_activation_code", rtk.GetActivationCode, perhaps=("3dm-rtk",),
         parameters=(
         ),
     ),
@@ -84,7 +84,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetStatusFlagsResponse": FieldInfo(
-        "rtk.get_status_flags_response", rtk.GetStatusFlagsResponse,
+        "rtk.get_status_flags_response", rtk.GetStatusFlagsResponse, perhaps=("3dm-rtk",),
         parameters=(
             Parameter("flags", "flags", "scalar", scalar="u32", type=types.RtkStatusFlags),
         ),
@@ -122,7 +122,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "GetActivationCodeResponse": FieldInfo(
-        "rtk.get_activation_code_response", rtk.GetActivationCodeResponse,
+        "rtk.get_activation_code_response", rtk.GetActivationCodeResponse, perhaps=("3dm-rtk",),
         parameters=(
             Parameter("activation_code", "activation_code", "text", scalar="char", length=32),
         ),

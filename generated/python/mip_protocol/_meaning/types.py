@@ -13,6 +13,8 @@ TYPES: dict[str, Info] = {
     "Gx5BuiltInTest": BitsInfo("gx5_built_in_test", types.Gx5BuiltInTest),
     "Cv7BuiltInTest": BitsInfo("cv7_built_in_test", types.Cv7BuiltInTest),
     "Cv7ContinuousBuiltInTest": BitsInfo("cv7_continuous_built_in_test", types.Cv7ContinuousBuiltInTest, aliases=("filter_process_fault", "gnss_subsystem_fault")),
+    "Cv7InertialContinuousBuiltInTest": BitsInfo("cv7_inertial_continuous_built_in_test", types.Cv7InertialContinuousBuiltInTest),
+    "Gq7ContinuousBuiltInTest": BitsInfo("gq7_continuous_built_in_test", types.Gq7ContinuousBuiltInTest),
     "EventTriggerType": EnumInfo("event_trigger_type", types.EventTriggerType),
     "EventActionType": EnumInfo("event_action_type", types.EventActionType),
     "EventTriggerMode": EnumInfo("event_trigger_mode", types.EventTriggerMode),

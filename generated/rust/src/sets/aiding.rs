@@ -119,8 +119,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Supported
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -230,7 +234,11 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EchoControlResponse`]. Supported
     /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The manual does not give the layout of the responses that carry the data back.
     ///
@@ -287,7 +295,9 @@ record! {
     ///
     /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -349,7 +359,9 @@ record! {
     ///
     /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - To send a height only, clear the valid flags of latitude and longitude. The
@@ -425,7 +437,9 @@ record! {
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -481,7 +495,9 @@ record! {
     ///
     /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
     /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -545,7 +561,9 @@ record! {
     ///
     /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
@@ -609,7 +627,9 @@ record! {
     ///
     /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The device supports up to four sensors of this kind.
     /// - A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per
@@ -677,7 +697,11 @@ record! {
     /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -735,6 +759,10 @@ record! {
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -796,7 +824,9 @@ record! {
     ///
     /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -850,7 +880,12 @@ record! {
     /// Frame configuration response (0x13,0x81).
     ///
     /// Answers [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Probably supported by
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy, Default)]
@@ -892,6 +927,11 @@ record! {
     ///
     /// Answers [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

@@ -326,7 +326,18 @@ record! {
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -362,7 +373,14 @@ record! {
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -412,7 +430,18 @@ record! {
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
@@ -450,7 +479,7 @@ record! {
     ///
     /// Initializes the attitude of the filter with that of the complementary filter.
     ///
-    /// Also called `set_initial_heading_from_mag`. May be supported by
+    /// Also called `set_initial_heading_from_mag`. Probably supported by
     /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014, MicroStrain
     /// Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
     /// initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example
@@ -489,7 +518,9 @@ record! {
     /// Starts a filter that is configured to wait for this command.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
     ///   [`InitializationConfig`] is set.
@@ -523,8 +554,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -582,7 +617,15 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The formula. The text of the manual
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: The formula. The text of the manual
     /// lacks it; it is the inverse of that of
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
@@ -661,7 +704,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     /// from the name.
     ///
@@ -723,7 +770,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
@@ -785,9 +837,11 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EstimationControlResponse`].
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -802,11 +856,19 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
-        /// [`gyro_bias`](EstimatedStates::gyro_bias). On the [3DM-CL5-25](crate::devices::CL5_25),
-        /// [3DM-CV5-25](crate::devices::CV5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25) and
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`gyro_bias`](EstimatedStates::gyro_bias). On
+        /// the [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CX5-25](crate::devices::CX5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
         /// [`gyro_bias`](EstimatedStates::gyro_bias),
+        /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
+        /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
+        /// [3DM-CV5-45](crate::devices::CV5_45): only [`gyro_bias`](EstimatedStates::gyro_bias),
+        /// [`accel_bias`](EstimatedStates::accel_bias),
+        /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
+        /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor),
+        /// [`antenna_offset`](EstimatedStates::antenna_offset),
         /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
         /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
@@ -862,7 +924,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - A change while the filter is running may return it to initialization until the new source
     ///   provides data.
@@ -919,7 +986,11 @@ record! {
     ///
     /// One measurement of position and velocity by a GNSS receiver of the user.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -994,7 +1065,16 @@ record! {
     /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -1054,9 +1134,11 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`].
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -1069,12 +1151,18 @@ record! {
         /// Source of the heading.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15) and
-        /// [3DM-GX5-15](crate::devices::GX5_15): only [`HeadingUpdateSource::NONE`] and
-        /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-CL5-25](crate::devices::CL5_25),
-        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GX4-25](crate::devices::GX4_25) and
+        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CX5-15](crate::devices::CX5_15) and [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [`HeadingUpdateSource::NONE`] and [`HeadingUpdateSource::EXTERNAL`]. On the
+        /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX4-25](crate::devices::GX4_25) and
         /// [3DM-GX5-25](crate::devices::GX5_25): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the
+        /// [3DM-CV5-45](crate::devices::CV5_45): only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`],
+        /// [`HeadingUpdateSource::EXTERNAL`], [`HeadingUpdateSource::GNSS_VELOCITY_AND_MAG`],
+        /// [`HeadingUpdateSource::GNSS_VELOCITY_AND_EXTERNAL`],
+        /// [`HeadingUpdateSource::MAG_AND_EXTERNAL`] and [`HeadingUpdateSource::ALL`]. On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45) and
         /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
@@ -1127,7 +1215,16 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`AutoInitializationControlResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// - It needs a valid heading source.
     ///
@@ -1185,7 +1282,20 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1245,7 +1355,20 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1305,7 +1428,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelBiasModelResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy)]
@@ -1367,7 +1495,20 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1429,8 +1570,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1491,7 +1635,16 @@ record! {
     /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
@@ -1566,7 +1719,19 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoAngularZuptResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1631,6 +1796,14 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`TareOrientationResponse`].
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// On the [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
@@ -1691,7 +1864,11 @@ record! {
     ///
     /// Tells the filter once that the device is at rest.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -1722,6 +1899,14 @@ record! {
     /// Tells the filter once that the device is not rotating.
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - At most 10 per second.
     ///
@@ -1754,7 +1939,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy)]
@@ -1833,7 +2023,10 @@ record! {
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
     /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Known only from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -1879,7 +2072,17 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1938,7 +2141,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
     ///   appear as changes of height.
@@ -1996,7 +2203,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -2052,7 +2263,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -2108,7 +2323,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EnableMeasurementsResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Eq, Hash)]
@@ -2164,8 +2383,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
-    /// The SDK calls it process noise, although the noise is that of a measurement.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy)]
@@ -2224,7 +2449,17 @@ record! {
     /// [`MagneticDeclinationSourceResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
@@ -2237,6 +2472,9 @@ record! {
         /// Source of the declination.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): only
+        /// [`MagParameterSource::NONE`] and [`MagParameterSource::MANUAL`]. On the
         /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`MagParameterSource::WMM`] and
         /// [`MagParameterSource::MANUAL`].
         pub source: Option<MagParameterSource>,
@@ -2293,11 +2531,16 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2405,10 +2648,13 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     /// Uncertain: Whether the parameters after the selector may be left out on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
@@ -2525,7 +2771,13 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -2614,7 +2866,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
@@ -2673,6 +2929,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PitchRollAidingResponse`].
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Refused by
+    /// [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Eq, Hash)]
@@ -2992,9 +3254,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AidingMeasurementEnableResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// [`AidingMeasurementEnableResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Eq, Hash)]
@@ -3003,10 +3269,20 @@ record! {
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
         ///
-        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): only [`AidingSource::MAG`],
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS) and [3DM-GV7-AHRS](crate::devices::GV7_AHRS):
+        /// only [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and
+        /// [`AidingSource::ALL`]. On the [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR) and [3DM-GV7-AR](crate::devices::GV7_AR): only
         /// [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL`]. On the
-        /// [3DM-CV7-AR](crate::devices::CV7_AR): only [`AidingSource::EXTERNAL_HEADING`] and
-        /// [`AidingSource::ALL`].
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`AidingSource::GNSS_POSITION_VELOCITY`],
+        /// [`AidingSource::ALTIMETER`], [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`],
+        /// [`AidingSource::EXTERNAL_ALTIMETER`], [`AidingSource::EXTERNAL_MAG`],
+        /// [`AidingSource::BODY_FRAME_VELOCITY`] and [`AidingSource::ALL`]. On the
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`AidingSource::GNSS_POSITION_VELOCITY`],
+        /// [`AidingSource::GNSS_HEADING`], [`AidingSource::ALTIMETER`], [`AidingSource::SPEED`],
+        /// [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL`].
         pub aiding_source: Option<AidingSource>,
         /// Whether the filter uses the source.
         ///
@@ -3131,8 +3407,10 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably
+    /// supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -3154,7 +3432,13 @@ record! {
         pub initial_condition_source: Option<InitialConditionSource>,
         /// Methods by which the initial heading may be determined.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`kinematic`](HeadingAlignment::kinematic),
+        /// [`mag`](HeadingAlignment::mag) and [`external`](HeadingAlignment::external). On the
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only
+        /// [`dual_antenna`](HeadingAlignment::dual_antenna),
+        /// [`kinematic`](HeadingAlignment::kinematic) and [`mag`](HeadingAlignment::mag).
         pub auto_heading_alignment_selector: Option<HeadingAlignment>,
         /// Initial heading that the user provides.
         ///
@@ -3251,7 +3535,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
@@ -3262,8 +3552,8 @@ record! {
         /// Strength of the adaptation.
         ///
         /// Default: 2. Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-GX5-45](crate::devices::GX5_45): only [`AdaptiveLevel::OFF`] and
-        /// [`AdaptiveLevel::MODERATE`].
+        /// [3DM-CV5-45](crate::devices::CV5_45) and [3DM-GX5-45](crate::devices::GX5_45): only
+        /// [`AdaptiveLevel::OFF`] and [`AdaptiveLevel::MODERATE`].
         pub level: Option<AdaptiveLevel>,
         /// Longest time for which measurements are rejected before the filter recovers.
         ///
@@ -3314,7 +3604,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MultiAntennaOffsetResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy)]
@@ -3376,7 +3667,9 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`RelativePositionConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy)]
@@ -3451,7 +3744,9 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`ReferencePointLeverArmResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -3584,7 +3879,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - It corrects for the part of the speed at that point that is due to the rotation of the
     ///   vehicle.
@@ -3705,7 +4001,8 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`WheeledVehicleConstraintControlResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - It improves the heading of cars and similar vehicles, especially with intermittent GNSS.
     ///   Do not use it for vehicles that move sideways, such as aircraft.
@@ -3823,8 +4120,11 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
+    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3844,7 +4144,15 @@ record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
     /// Answers [`SensorToVehicleRotationEuler`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy, Default)]
@@ -3873,8 +4181,12 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -3896,7 +4208,12 @@ record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
     /// Answers [`AntennaOffset`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
@@ -3919,9 +4236,11 @@ record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
     /// Answers [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
@@ -3945,7 +4264,12 @@ record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
     /// Answers [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3965,9 +4289,11 @@ record! {
     /// Heading update control response (0x0D,0x87).
     ///
     /// Answers [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3991,7 +4317,15 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
-    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4013,7 +4347,20 @@ record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
     /// Answers [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
@@ -4036,7 +4383,20 @@ record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
     /// Answers [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
@@ -4059,7 +4419,12 @@ record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
     /// Answers [`AccelBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy, Default)]
@@ -4085,7 +4450,20 @@ record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
     /// Answers [`GyroBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -4112,7 +4490,11 @@ record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
     /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy, Default)]
@@ -4139,7 +4521,19 @@ record! {
     ///
     /// Answers [`AutoAngularZupt`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -4165,7 +4559,12 @@ field! {
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy, Default)]
@@ -4201,7 +4600,17 @@ record! {
     /// Gravity noise response (0x0D,0x93).
     ///
     /// Answers [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
@@ -4223,8 +4632,11 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -4245,8 +4657,11 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -4267,8 +4682,11 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -4289,9 +4707,16 @@ field! {
 record! {
     /// Tare orientation response (0x0D,0xA1).
     ///
-    /// Answers [`TareOrientation`]. Uncertain: Which devices send it. The SDK reads the setting
-    /// back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
-    /// response.
+    /// Answers [`TareOrientation`]. Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Uncertain: Which devices send it. The SDK reads the setting back; the manuals of the
+    /// 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
     /// (0x0D,0x21).
@@ -4311,7 +4736,11 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4330,8 +4759,13 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the
-    /// MicroStrain MIP SDK.
+    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported
+    /// by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -4355,7 +4789,16 @@ record! {
     /// Answers [`MagneticDeclinationSource`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43); 3dm-gq7:
     /// Magnetic Field Declination Source Control (0x0D,0x43).
@@ -4382,11 +4825,15 @@ record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
     /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy, Default)]
@@ -4430,10 +4877,13 @@ record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
     /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
@@ -4483,7 +4933,13 @@ record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
     /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
@@ -4518,7 +4974,10 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
@@ -4539,7 +4998,12 @@ record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
     /// Answers [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4650,9 +5114,13 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Answers [`AidingMeasurementEnable`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// Answers [`AidingMeasurementEnable`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4703,8 +5171,10 @@ record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
     /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably
+    /// supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy, Default)]
@@ -4761,7 +5231,13 @@ record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
     /// Answers [`AdaptiveFilterOptions`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
@@ -4788,7 +5264,8 @@ record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
     /// Answers [`MultiAntennaOffset`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy, Default)]
@@ -4814,7 +5291,9 @@ record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
     /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy, Default)]
@@ -4845,7 +5324,9 @@ record! {
     /// Reference point lever arm response (0x0D,0xD6).
     ///
     /// Also called `ref_point_lever_arm_response`. Answers [`ReferencePointLeverArm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
@@ -4869,6 +5350,7 @@ record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
     /// Answers [`SpeedLeverArm`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
@@ -4923,7 +5405,8 @@ record! {
     /// Wheeled vehicle constraint response (0x0D,0xE3).
     ///
     /// Answers [`WheeledVehicleConstraintControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
     #[derive(Copy, Default, Eq, Hash)]

@@ -364,7 +364,15 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25)
+    /// and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
@@ -399,7 +407,15 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25)
+    /// and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Copy, Default)]
@@ -431,8 +447,20 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
     ///
@@ -460,8 +488,19 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     ///   v_ned`.
@@ -490,8 +529,21 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -528,6 +580,17 @@ record! {
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -552,7 +615,11 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX4-25](crate::devices::GX4_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
@@ -578,7 +645,12 @@ record! {
     /// Standard deviation of the estimated position, in the NED frame.
     ///
     /// Also called `position_llh_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
@@ -611,7 +683,12 @@ record! {
     /// Standard deviation of the estimated velocity.
     ///
     /// Also called `velocity_ned_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
@@ -643,8 +720,20 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// - 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond
     ///   70 degrees of pitch up or down.
@@ -681,7 +770,19 @@ record! {
     /// Standard deviation of the estimated gyroscope bias.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -707,7 +808,11 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
     #[derive(Copy, Default)]
@@ -732,8 +837,19 @@ record! {
     ///
     /// Compensated acceleration minus the estimated gravity.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
@@ -759,8 +875,19 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -786,7 +913,14 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The model is valid up to an altitude of 20 km.
     ///
@@ -812,8 +946,20 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
@@ -825,53 +971,112 @@ record! {
     pub struct Status {
         /// State of the filter.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
-        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
+        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+        /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5FilterState`]. Inferred: The
+        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`]. Inferred: The
+        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
         /// Motion for which the filter is configured.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
-        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
+        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+        /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5DynamicsMode`]. Inferred: The
+        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7DynamicsMode`]. Inferred: The
+        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
         /// Condition and warnings.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
-        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
+        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+        /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+        /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5StatusFlags`]. Inferred: The
+        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`]. Inferred: The
+        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
     }
 }
 
 #[rustfmt::skip]
 impl Status {
-    /// Reads `filter_state` as [`Cv7FilterState`].
-    ///
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
-    #[inline]
-    #[must_use]
-    pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
-        self.filter_state.into()
-    }
-
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
-    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
+    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5FilterState`]. Inferred: The 3DM-GX5-15
+    /// has them, and the SDK gives the same states for all generations up to the fifth. On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
     #[inline]
     #[must_use]
     pub fn filter_state_as_gx5_filter_state(&self) -> Gx5FilterState {
         self.filter_state.into()
     }
 
-    /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
+    /// Reads `filter_state` as [`Cv7FilterState`].
     ///
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7FilterState`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// of [`Cv7FilterState`].
     #[inline]
     #[must_use]
-    pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
-        self.dynamics_mode.into()
+    pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
+        self.filter_state.into()
     }
 
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
+    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5DynamicsMode`]. Inferred: The
+    /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth.
     /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
     #[inline]
     #[must_use]
@@ -879,21 +1084,52 @@ impl Status {
         self.dynamics_mode.into()
     }
 
-    /// Reads `status_flags` as [`Cv7StatusFlags`].
+    /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
-    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7DynamicsMode`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// of [`Cv7DynamicsMode`].
     #[inline]
     #[must_use]
-    pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
-        self.status_flags.into()
+    pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
+        self.dynamics_mode.into()
     }
 
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
-    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
+    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5StatusFlags`]. Inferred: The 3DM-GX5-15
+    /// has them, and the SDK gives the same states for all generations up to the fifth. On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
     #[inline]
     #[must_use]
     pub fn status_flags_as_gx5_status_flags(&self) -> Gx5StatusFlags {
+        self.status_flags.into()
+    }
+
+    /// Reads `status_flags` as [`Cv7StatusFlags`].
+    ///
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [`Cv7StatusFlags`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
+    /// of [`Cv7StatusFlags`].
+    #[inline]
+    #[must_use]
+    pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
         self.status_flags.into()
     }
 }
@@ -909,7 +1145,14 @@ record! {
     /// GPS time of the filter data.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
     /// - Without synchronization to a receiver or an external clock it is the internal system time.
@@ -944,7 +1187,19 @@ record! {
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -969,8 +1224,19 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
@@ -997,6 +1263,12 @@ record! {
     /// The last heading that updated the filter and where it came from.
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -1031,7 +1303,14 @@ record! {
     ///
     /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1223,8 +1502,18 @@ record! {
     ///
     /// Acceleration without the estimated bias; it includes gravity.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
@@ -1250,7 +1539,9 @@ record! {
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1293,7 +1584,17 @@ record! {
     /// Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
     ///   84852 m.
@@ -1347,8 +1648,11 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Also called `magnetometer_offset`. Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -1376,8 +1680,11 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Also called `magnetometer_matrix`. Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -1405,8 +1712,11 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_offset_uncertainty`. Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -1431,8 +1741,11 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_matrix_uncertainty`. Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -1627,7 +1940,9 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS).
     ///
     /// - The filter adds it to the stored offset.
     ///
@@ -1656,7 +1971,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
     #[derive(Copy, Default)]
@@ -1684,7 +2000,10 @@ record! {
     /// Standard deviation of the estimated position.
     ///
     /// Also called `ecef_pos_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
     #[derive(Copy, Default)]
@@ -1710,7 +2029,10 @@ record! {
     /// Standard deviation of the estimated velocity.
     ///
     /// Also called `ecef_vel_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
     #[derive(Copy, Default)]
@@ -1735,7 +2057,10 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
@@ -1760,7 +2085,10 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
@@ -1786,7 +2114,10 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
@@ -1812,7 +2143,11 @@ record! {
     /// How the filter uses the position measurements of one GNSS receiver.
     ///
     /// Also called `gnss_pos_aid_status`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1910,7 +2245,10 @@ record! {
     ///
     /// What the filter did with one kind of aiding measurement in the last measurement interval.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1947,7 +2285,8 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
@@ -1973,7 +2312,8 @@ record! {
     ///
     /// Uncertainty of the estimated error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
     #[derive(Copy, Default)]
@@ -1997,7 +2337,9 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
+    /// and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -2036,7 +2378,10 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]
@@ -2065,7 +2410,9 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Copy, Default)]

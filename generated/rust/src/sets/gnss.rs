@@ -169,7 +169,8 @@ record! {
     /// Gets the GNSS receivers of the device.
     ///
     /// Answered by [`ReceiverInfoResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -202,7 +203,9 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`SignalConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25). On
+    /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A device accepts certain combinations only.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For
@@ -384,8 +387,9 @@ record! {
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// Answered by [`RtkDongleConfigResponse`]. Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -550,6 +554,7 @@ record! {
     /// Receiver info response (0x0E,0x81).
     ///
     /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// The wire format also contains `num_receivers`: Number of physical receivers. The number of
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
@@ -576,7 +581,8 @@ record! {
     /// Signal configuration response (0x0E,0x82).
     ///
     /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
     #[derive(Copy, Default, Eq, Hash)]
@@ -625,8 +631,9 @@ field! {
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Probably
+    /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]

@@ -918,10 +918,17 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-GX3-25](crate::devices::GX3_25) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position
     /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
@@ -974,8 +981,10 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04); 3dm-cv7-gnss-ins: GNSS ECEF
@@ -1009,9 +1018,15 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05); 3dm-cv7-gnss-ins: NED Velocity
     /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
@@ -1062,9 +1077,10 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// May be supported by [3DM-CV7-INS](crate::devices::CV7_INS) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity
     /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
@@ -1097,8 +1113,10 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07); 3dm-cv7-gnss-ins: DOP (0x92,0x07).
@@ -1149,8 +1167,11 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08); 3dm-cv7-gnss-ins: UTC Time (0x92,0x08);
@@ -1208,8 +1229,13 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09); 3dm-cv7-gnss-ins: GPS Time (0x92,0x09).
     #[derive(Copy, Default)]
@@ -1238,9 +1264,10 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
@@ -1277,10 +1304,13 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B); 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B);
     /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
@@ -1315,9 +1345,11 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK. Uncertain:
-    /// Whether a packet holds one of these fields or several.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
+    /// from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or
+    /// several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -1367,8 +1399,9 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D); 3dm-cv7-gnss-ins: GNSS Hardware
     /// Status (0x92,0x0D).
@@ -1404,7 +1437,9 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
     /// the size of its data. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: Whether any device sends
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35) and
+    /// [3DM-CX5-45](crate::devices::CX5_45). Uncertain: Whether any device sends
     /// [`DgpsInfoSatellite`], the layout of the SDK, instead. Only this one agrees with the valid
     /// flags, which are the same in all sources.
     ///
@@ -1496,9 +1531,10 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MIP SDK of 2014, MicroStrain
-    /// Communication Library and MicroStrain MIP SDK.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
+    /// from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -1541,8 +1577,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - It supersedes clock info.
     ///
@@ -1584,8 +1620,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11); 3dm-cv7-gnss-ins: GPS Leap Seconds
     /// (0x92,0x11).
@@ -1613,7 +1649,9 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
+    /// and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12); 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12).
     #[derive(Copy, Default)]
@@ -1716,8 +1754,10 @@ record! {
     /// Jamming and spoofing that the receiver detects in one band.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-GX5-25](crate::devices::GX5_25). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time
     ///   sends 0 there and leaves its flag clear.
@@ -1798,8 +1838,9 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
+    /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     ///
@@ -1857,7 +1898,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - An epoch is sent as one field for each signal; `index` and `count` number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -1952,7 +1994,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30); 3dm-cv7-gnss-ins: Base Station Info
     /// (0x93,0x30).
@@ -2002,7 +2045,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31); 3dm-cv7-gnss-ins: RTK Corrections
     /// Status (0x93,0x31).
@@ -2067,7 +2111,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -2218,7 +2263,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; no source says how nt, a u8, counts them.
@@ -2339,7 +2385,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
@@ -2492,7 +2539,8 @@ record! {
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.

@@ -476,10 +476,20 @@ record! {
     ///
     /// Also called `poll_imu_message`. Not acknowledged if
     /// [`suppress_ack`](PollImuData::suppress_ack) is true. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -532,8 +542,11 @@ record! {
     /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain
-    /// MIP SDK.
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
@@ -587,7 +600,13 @@ record! {
     /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
@@ -639,7 +658,9 @@ record! {
     /// Also called `nmea_poll_data`. Not acknowledged if
     /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](PollNmeaData::format_entries).
@@ -688,10 +709,20 @@ record! {
     /// Gets the rate that is divided by the decimations of [`ImuMessageFormat`].
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -723,7 +754,11 @@ record! {
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -755,9 +790,20 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuMessageFormatResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Supported by [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -826,7 +872,10 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
@@ -894,7 +943,14 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`FilterMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
@@ -961,7 +1017,14 @@ record! {
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -993,7 +1056,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS). Refused
+    /// by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
@@ -1058,7 +1124,12 @@ record! {
     /// Requests one data packet of the descriptor set with the listed fields, in the listed order.
     ///
     /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
@@ -1117,8 +1188,13 @@ record! {
     ///
     /// Gets the rate that is divided by the decimations of a descriptor set.
     ///
-    /// Answered by [`GetBaseRateResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Answered by [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1155,7 +1231,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
@@ -1223,7 +1304,12 @@ record! {
     ///
     /// Sets all message formats to those that technical support needs in a recording.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1261,15 +1347,20 @@ record! {
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`DataStreamControlResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
@@ -1288,9 +1379,10 @@ record! {
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
-        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+        /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
         /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
         /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -1343,9 +1435,10 @@ constructors! {
 impl DataStreamControl {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -1420,8 +1513,10 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default.
-    /// The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default. The SDK names only GPS
+    /// and GLONASS as enabled, but gives channels for SBAS and QZSS too.
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
@@ -1500,8 +1595,10 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSbasSettingsResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
@@ -1582,8 +1679,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
-    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
@@ -1650,8 +1749,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
-    /// by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// by [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
@@ -1714,8 +1815,12 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`PpsSourceControlResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The pins are configured separately, by [`GpioConfig`].
     /// - The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
@@ -1728,9 +1833,16 @@ record! {
         /// Source of the pulse.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR): only
-        /// [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and [`PpsSource::GENERATED`]. On the
-        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): default [`PpsSource::RECEIVER_1`].
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): only [`PpsSource::DISABLED`],
+        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): default [`PpsSource::RECEIVER_1`]. On
+        /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`PpsSource::DISABLED`],
+        /// [`PpsSource::RECEIVER_1`], [`PpsSource::RECEIVER_2`], [`PpsSource::GPIO`] and
+        /// [`PpsSource::GENERATED`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1774,7 +1886,12 @@ record! {
     /// Gets the types of event triggers or actions that the device has, and how many of each.
     ///
     /// Answered by [`GetEventSupportResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1809,7 +1926,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EventControlResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Triggers are disabled by default and after configuration.
     /// - A trigger of type none cannot be enabled.
@@ -1869,7 +1991,12 @@ record! {
     /// Gets the type and the state of event triggers.
     ///
     /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
     /// all slots. The number of elements of
@@ -1910,7 +2037,12 @@ record! {
     /// Gets the type and the trigger of event actions.
     ///
     /// Answered by [`GetEventActionStatusResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
     /// slots. The number of elements of
@@ -1954,7 +2086,12 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`EventTriggerConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - The trigger is disabled afterwards; [`EventControl`] enables it.
     /// - A GPIO trigger needs its pin configured by [`GpioConfig`].
@@ -2052,7 +2189,12 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`EventActionConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
@@ -2159,7 +2301,21 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-RTK](crate::devices::RTK).
     ///
     /// - A save may disturb the data output for a short time.
     /// - A save may take up to 1 s. A host should wait longer, because the answer must come
@@ -2211,7 +2367,12 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleTransformEulerResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - [`SensorToVehicleTransformQuaternion`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2293,7 +2454,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2362,7 +2528,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleTransformDcmResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2428,10 +2599,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`]. May be
-    /// supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it
-    /// in its example for the 3DM-GX3-35 only.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
+    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
+    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of
+    /// 2014 has it in its example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2486,12 +2657,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
-    /// May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of
-    /// the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
-    /// record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
-    /// 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL
-    /// reads it without.
+    /// Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35) and
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014 and MicroStrain
+    /// Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are
+    /// those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain:
+    /// Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    /// Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2593,11 +2765,12 @@ record! {
     /// Sets or reads a counter of the time of the sensor data.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. May be
-    /// supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014.
-    /// Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
-    /// only. Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is
-    /// assumed.
+    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. Probably
+    /// supported by [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
+    /// from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    /// example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or
+    /// leaves it out, as is assumed.
     ///
     /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -2650,7 +2823,21 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). On the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
@@ -2718,12 +2905,25 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). On the
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -2792,7 +2992,19 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
@@ -2841,12 +3053,20 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35). On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -2925,12 +3145,20 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
@@ -3006,8 +3234,16 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConingScullingEnableResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Eq, Hash)]
@@ -3066,7 +3302,16 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then,
@@ -3130,9 +3375,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). Refused by
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - Not every pin has every feature.
     /// - For an output with another feature than gpio, set up what drives it first, then the pin;
@@ -3292,7 +3541,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - A read returns the level of the pin itself.
     /// - A write has an effect only on a pin that is configured as an output.
@@ -3351,7 +3606,8 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`OdometerConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy)]
@@ -3423,16 +3679,31 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuLowPassFilterResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Deprecated on
-    /// the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on
-    /// the [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Deprecated on the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
-    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead.
+    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): firmware \<= 1.0.07. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): firmware \<= 1.0.07. On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \<= 1.0.10.
     ///
     /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
     ///   message format.
@@ -3522,11 +3793,21 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ComplementaryFilterResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
     ///   zero.
@@ -3549,10 +3830,11 @@ record! {
         /// Corrects the heading (north, in terms of the 5-series).
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
-        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
-        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
-        /// [3DM-CX5-15](crate::devices::CX5_15) and [3DM-GX5-10](crate::devices::GX5_10): MSCL does
-        /// not offer it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
+        /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15) and
+        /// [3DM-GX5-10](crate::devices::GX5_10): MSCL does not offer it. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the correction of pitch and roll.
         ///
@@ -3616,7 +3898,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - [`GetCalibratedSensorRanges`] lists the settings. The device may refuse other settings, or
     ///   measure incorrectly with them.
@@ -3675,7 +3962,12 @@ record! {
     /// Gets the ranges that a sensor supports.
     ///
     /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3711,9 +4003,15 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`LowPassFilterResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// firmware \> 1.0.07. On the [3DM-CV7-AR](crate::devices::CV7_AR): firmware \> 1.0.07. On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all
     ///   sets are meant.
@@ -3794,10 +4092,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`]. May
-    /// be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014
-    /// and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    /// SDK of 2014 restricts it to the 3DM-GX3-35.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`].
+    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
+    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
+    /// the SDK of 2014 restricts it to the 3DM-GX3-35.
     ///
     /// - Both parameters are sent with every function.
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
@@ -3858,10 +4156,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`DevicePowerStateResponse`]. The
-    /// device may take 5 s to answer. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
-    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
-    /// devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
-    /// Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    /// device may take 5 s to answer. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
+    /// have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain:
+    /// The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
     ///
     /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -3918,10 +4217,10 @@ record! {
     /// Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
     ///
     /// For advanced use. Functions: [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT). May
-    /// be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014
-    /// and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    /// SDK of 2014 names the 3DM-GX3-35.
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
+    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
+    /// the SDK of 2014 names the 3DM-GX3-35.
     ///
     /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
     ///   [`system::CommMode`](crate::system::CommMode).
@@ -3972,12 +4271,15 @@ record! {
     /// [`DeviceStatusDiagnosticImuResponse`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25).
@@ -4054,10 +4356,21 @@ responses! {
 record! {
     /// IMU Message Format response (0x0C,0x80).
     ///
-    /// Answers [`ImuMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Answers [`ImuMessageFormat`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
@@ -4088,6 +4401,10 @@ record! {
     /// Answers [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45) and
+    /// [3DM-GX4-45](crate::devices::GX4_45).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
@@ -4119,6 +4436,13 @@ record! {
     /// Answers [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
@@ -4147,10 +4471,20 @@ record! {
     /// Get IMU Data Base Rate response (0x0C,0x83).
     ///
     /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35).
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4174,7 +4508,11 @@ record! {
     /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX4-45](crate::devices::GX4_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4197,15 +4535,20 @@ record! {
     ///
     /// Also called `datastream_control_response`. Answers [`DataStreamControl`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
@@ -4219,9 +4562,10 @@ record! {
     pub struct DataStreamControlResponse {
         /// Stream given in the command.
         ///
-        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+        /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+        /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
         /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
         /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -4245,9 +4589,10 @@ record! {
 impl DataStreamControlResponse {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -4276,8 +4621,10 @@ field! {
 record! {
     /// IMU signal conditioning response (0x0C,0x86).
     ///
-    /// Answers [`ImuSignalConditioning`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
-    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// Answers [`ImuSignalConditioning`]. Probably supported by
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
     /// (0x0C,0x35).
@@ -4327,7 +4674,16 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
@@ -4349,7 +4705,7 @@ field! {
 record! {
     /// Data stream format response (0x0C,0x88).
     ///
-    /// Answers [`DataStreamFormat`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Answers [`DataStreamFormat`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
     /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60); mscl: Data Stream Format (0x0C,0x60).
@@ -4371,8 +4727,9 @@ field! {
 record! {
     /// Device power state response (0x0C,0x89).
     ///
-    /// Answers [`DevicePowerState`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35).
-    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// Answers [`DevicePowerState`]. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4396,7 +4753,14 @@ record! {
     /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4418,11 +4782,23 @@ record! {
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
     ///
     /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
@@ -4461,7 +4837,9 @@ record! {
     /// NMEA Message Format response (0x0C,0x8C).
     ///
     /// Answers [`NmeaMessageFormat`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
@@ -4487,7 +4865,13 @@ field! {
 record! {
     /// Get Data Base Rate response (0x0C,0x8E).
     ///
-    /// Answers [`GetBaseRate`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Answers [`GetBaseRate`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4511,6 +4895,12 @@ record! {
     /// Message Format response (0x0C,0x8F).
     ///
     /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
@@ -4548,11 +4938,14 @@ record! {
     /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
@@ -4597,7 +4990,7 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicResponse`] by the size of
     /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. May be supported by [3DM-CV5-10](crate::devices::CV5_10),
+    /// [`DeviceStatusSelector::BASIC`]. Probably supported by [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-10](crate::devices::GX5_10). Uncertain:
     /// MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10.
@@ -4645,11 +5038,14 @@ record! {
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GX5-15](crate::devices::GX5_15). May
-    /// be supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25) and
-    /// [3DM-GX5-25](crate::devices::GX5_25).
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45) and [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -4747,7 +5143,7 @@ record! {
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45) and
     /// [3DM-GX4-45](crate::devices::GX4_45). Uncertain: MSCL has it for the 3DM-GX4-45 and the -35
     /// and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values;
@@ -5178,7 +5574,7 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. May be supported by
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Probably supported by
     /// [3DM-GX4-15](crate::devices::GX4_15) and [3DM-GX4-25](crate::devices::GX4_25). Uncertain: No
     /// known manual gives it for these devices; the offsets 49 to 69 in the manual of the
     /// 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the
@@ -5306,7 +5702,7 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. May be supported by
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Probably supported by
     /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CX5-10](crate::devices::CX5_10) and
     /// [3DM-GX5-10](crate::devices::GX5_10). Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
     /// and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the
@@ -5417,8 +5813,8 @@ field! {
 record! {
     /// GPS dynamics mode response (0x0C,0x92).
     ///
-    /// Answers [`GpsDynamicsMode`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known
-    /// only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// Answers [`GpsDynamicsMode`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
+    /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5437,8 +5833,9 @@ field! {
 record! {
     /// IMU timestamp response (0x0C,0x93).
     ///
-    /// Answers [`ImuTimestamp`]. May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known
-    /// only from the MIP SDK of 2014.
+    /// Answers [`ImuTimestamp`]. Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35) and
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014.
     ///
     /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5461,11 +5858,21 @@ record! {
     ///
     /// Answers [`ComplementaryFilter`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
@@ -5498,8 +5905,21 @@ record! {
     /// Answers [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -5528,7 +5948,19 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
@@ -5555,7 +5987,16 @@ record! {
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
+    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -5581,7 +6022,16 @@ record! {
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -5605,8 +6055,17 @@ record! {
     ///
     /// Answers [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5630,8 +6089,9 @@ record! {
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
     /// Answers [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
@@ -5669,8 +6129,10 @@ record! {
     /// GNSS SBAS Settings response (0x0C,0xA1).
     ///
     /// Answers [`GnssSbasSettings`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. The number of elements of
@@ -5705,8 +6167,10 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -5739,8 +6203,10 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Copy, Default)]
@@ -5770,8 +6236,12 @@ record! {
     /// PPS Source Control response (0x0C,0xA8).
     ///
     /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5793,7 +6263,12 @@ record! {
     /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
     /// [`SensorToVehicleTransformEuler`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Copy, Default)]
@@ -5824,7 +6299,12 @@ record! {
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
     /// [`SensorToVehicleTransformQuaternion`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy, Default)]
@@ -5847,7 +6327,12 @@ record! {
     ///
     /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
     /// [`SensorToVehicleTransformDcm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -5870,6 +6355,12 @@ record! {
     /// Get Supported Events response (0x0C,0xB4).
     ///
     /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_entries`: Number of types. The number of elements of
     /// [`entries`](GetEventSupportResponse::entries).
@@ -5909,6 +6400,12 @@ record! {
     /// Event Control response (0x0C,0xB5).
     ///
     /// Answers [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5932,7 +6429,12 @@ record! {
     /// Get Event Trigger Status response (0x0C,0xB6).
     ///
     /// Answers [`GetEventTriggerStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
@@ -5959,7 +6461,12 @@ record! {
     /// Get Event Action Status response (0x0C,0xB7).
     ///
     /// Answers [`GetEventActionStatus`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
@@ -5986,7 +6493,12 @@ record! {
     /// Event Trigger Configuration response (0x0C,0xB8).
     ///
     /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
@@ -6020,7 +6532,12 @@ record! {
     /// Event Action Configuration response (0x0C,0xB9).
     ///
     /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
     /// Cycle.
@@ -6057,9 +6574,13 @@ field! {
 record! {
     /// GPIO Configuration response (0x0C,0xC1).
     ///
-    /// Answers [`GpioConfig`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May
-    /// be supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Answers [`GpioConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6165,7 +6686,13 @@ field! {
 record! {
     /// GPIO State response (0x0C,0xC2).
     ///
-    /// Answers [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Answers [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6189,7 +6716,8 @@ record! {
     /// Odometer Configuration response (0x0C,0xC3).
     ///
     /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy, Default)]
@@ -6219,6 +6747,12 @@ record! {
     /// Sensor Range response (0x0C,0xD2).
     ///
     /// Answers [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6240,7 +6774,12 @@ record! {
     /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
     ///
     /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// The wire format also contains `num_ranges`: Number of ranges. The number of elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
@@ -6279,9 +6818,13 @@ record! {
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
     ///
     /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy, Default)]

@@ -68,8 +68,8 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// Answered by [`GetStatusFlagsResponse`]. Probably supported by
+    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -276,8 +276,8 @@ record! {
     ///
     /// Gets the activation code.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK.
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Probably supported by
+    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -487,7 +487,8 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`]. Known only from the MicroStrain MIP SDK.
+    /// Answers [`GetStatusFlags`]. Probably supported by [3DM-RTK](crate::devices::RTK). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -610,8 +611,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Probably supported by
+    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]

@@ -31,7 +31,14 @@ record! {
     ///
     /// Flags of the tests that run all the time.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - The field is long; stream it at a low rate or poll it.
     /// - A fault is reported even if it has passed by the time of the next message, because its
@@ -46,7 +53,13 @@ record! {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
+        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
         /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
@@ -54,6 +67,20 @@ record! {
 
 #[rustfmt::skip]
 impl BuiltInTest {
+    /// Reads `result` as [`types::Cv7InertialContinuousBuiltInTest`].
+    ///
+    /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [`types::Cv7InertialContinuousBuiltInTest`].
+    #[inline]
+    #[must_use]
+    pub fn result_as_cv7_inertial_continuous_built_in_test(&self) -> types::Cv7InertialContinuousBuiltInTest {
+        self.result.into()
+    }
+
     /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
     ///
     /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
@@ -75,7 +102,13 @@ record! {
     ///
     /// Whether the device time is locked to the pulse per second.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -99,7 +132,14 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS). On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
+    /// firmware \> 1.0.10.
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.

@@ -9,6 +9,7 @@ from mipgen import model as m
 from mipgen.base import resources
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Target
+from mipgen.facts import describe
 from mipgen.lower import memory
 from mipgen.model import SHARED_DESCRIPTORS
 
@@ -163,6 +164,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # comments
         "comment": comment,
         "device_doc": docs.device,
+        "why": lambda e: describe.why(e, model),
         "family_doc": docs.family,
         "set_doc": docs.set,
         "field_doc": docs.field,

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
 from mipgen.model import guides, simulation
 from mipgen.model.simulation import Quantity
@@ -29,8 +30,8 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Struct: ("owner",),
     m.Enum: ("owner",),
     m.Bitfield: ("owner",),
-    m.Device: ("variants",),  # each is with its parameter
-    m.Support: ("set", "functions"),
+    m.Device: ("variants", "evidence", "supports", "refuses"),  # a variant is with its parameter
+    m.Support: ("field", "set", "functions", "evidence"),
     simulation.Source: ("set",),
     m.Erratum: ("named",),  # in its texts
     m.Variant: ("only",),
@@ -92,7 +93,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "types": [_attributes(t) for t in types(model)],
         "sets": [_set(s, model) for s in model.sets],
         "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
-        "devices": [_attributes(d) for d in model.devices],
+        "devices": [_device(d, model) for d in model.devices],
         "examples": plain(model.examples),
         "errata": plain(model.errata),
         "simulation": _attributes(model.simulation),
@@ -128,8 +129,6 @@ def plain(value: Any) -> Any:
             return value.tag
         case m.Device():
             return value.id
-        case m.Support():
-            return _support(value)
         case simulation.Source():
             return _attributes(value) | ({"field": value.field.name_in(value.set)} if value.set is not None else {})
         case bytes():
@@ -240,9 +239,22 @@ def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
     return attributes
 
 
-def _support(s: m.Support) -> dict[str, Any]:
-    attributes = _attributes(s) | {"field": s.name}
-    return {**attributes, "functions": _names(s.functions)} if s.differs else attributes
+def _device(d: m.Device, model: m.Model) -> dict[str, Any]:
+    """A device; what is said of a field names its evidence by its place in the list."""
+    attributes = _attributes(d)
+    if d.evidence:
+        attributes["evidence"] = [
+            {"answer": e.answer, **_attributes(e), "why": describe.why(e, model)} for e in d.evidence
+        ]
+    for name, said in (("supports", d.supports), ("refuses", d.refuses)):
+        if said:
+            attributes[name] = [_support(s, d.evidence.index(s.evidence)) for s in said]
+    return attributes
+
+
+def _support(s: m.Support, evidence: int) -> dict[str, Any]:
+    functions = {"functions": _names(s.functions)} if s.differs else {}
+    return {"field": s.name, "evidence": evidence, **functions, **_attributes(s)}
 
 
 def _names(things: Iterable[m.Parameter | m.Function]) -> list[str]:

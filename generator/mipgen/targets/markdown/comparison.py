@@ -1,7 +1,7 @@
 """What devices have in common, and where they differ: commands, data, rates, and the meaning of values.
 
 Tables have a column for each device of which fields are known. Of the others, too many for columns, a list says what
-they may have. What is not known of a device is told apart from what it does not have.
+they probably have. What is not known of a device is told apart from what it does not have.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from .places import Page, label
 from .text import code, hexadecimal, inline, table
 
 YES = "yes"
+PROBABLE = "probable"
 NO = "no"
 UNKNOWN = "?"
 NOT_GIVEN = "–"
@@ -60,7 +61,7 @@ def generations(page: Page) -> list[Section]:
         "Known",
         "Commands",
         "Data fields",
-        "Perhaps",
+        "Probable",
         "Acknowledge codes",
     ]
     return [
@@ -81,7 +82,7 @@ def _device(page: Page, d: m.Device) -> list[str]:
         known(d),
         str(roles.count(m.COMMAND)),
         str(roles.count(m.DATA)),
-        str(len(d.supports) - len(roles)),
+        str(len(d.probable)),
         ", ".join(map(str, d.ack_codes)) or UNKNOWN,
     ]
 
@@ -99,7 +100,7 @@ def known(d: m.Device) -> str:
 def fields(page: Page, role: m.Role) -> list[Section]:
     """A table for each set: which devices support its commands or data fields, and with which functions."""
     devices = compared(page.model)
-    support = {(d.id, s.name): s for d in devices for s in d.supports}
+    support = {(d.id, s.name): s for d in devices for s in (*d.supports, *d.refuses)}
 
     def row(f: m.Field, number: int) -> list[str]:
         cells = [supported(d, support.get((d.id, f.name_in(number)))) for d in devices]
@@ -116,9 +117,11 @@ def supported(d: m.Device, s: m.Support | None) -> str:
     """What is known of a device and a field: its functions there, if it has any."""
     if s is None:
         return missing(d)
+    if s.evidence.answer == "no":
+        return NO
     functions = code(m.letters(s.functions)) if s.functions else ""
-    certain = functions or YES if s.evidence is None else f"perhaps {functions}".strip()
-    return f"{certain}, deprecated" if s.deprecated else certain
+    said = functions or YES if s.certain else f"{PROBABLE} {functions}".strip()
+    return f"{said}, deprecated" if s.deprecated else said
 
 
 def missing(d: m.Device) -> str:
@@ -133,13 +136,13 @@ def units(f: m.Field) -> list[str]:
 
 
 def perhaps(page: Page, role: m.Role) -> str:
-    """What the devices without columns may have; empty if there is nothing."""
+    """What the devices without columns probably have; empty if there is nothing."""
     rows = []
     for d in others(page.model):
         fields = [s.field for s in d.supports if s.field.role == role]
         generation = UNKNOWN if d.generation is None else str(d.generation)
         rows.append([page.link(d), generation, page.links(fields) or UNKNOWN])
-    return table(rows, ["Device", "Generation", "Perhaps"]) if any(row[2] != UNKNOWN for row in rows) else ""
+    return table(rows, ["Device", "Generation", "Probable"]) if any(row[2] != UNKNOWN for row in rows) else ""
 
 
 # --------------------------------------------------------------------------- rates, ports, limits
@@ -188,7 +191,8 @@ def _port(d: m.Device, name: str) -> str:
     for p in d.ports:
         if p.name == name:
             number = f"{code(hexadecimal(p.id))}: " if p.id is not None else ""
-            return number + (", ".join(map(inline, p.protocols)) or UNKNOWN)
+            known = [*p.sends, *(f"{name} (receives only)" for name in p.receives if name not in p.sends)]
+            return number + (", ".join(map(inline, known)) or UNKNOWN)
     return missing(d) if d.ports else UNKNOWN
 
 

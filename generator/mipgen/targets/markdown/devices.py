@@ -16,15 +16,32 @@ def supported(page: Page, d: m.Device, s: m.Set) -> str:
     return table(rows, ENTRY) if rows else ""
 
 
-def perhaps(page: Page, d: m.Device) -> list[tuple[str, str]]:
-    """The fields that a device may support, in a table for each evidence."""
-    by_evidence: dict[str, list[list[str]]] = {}
-    for x in d.supports:
-        if x.evidence is not None:
-            of = page.model.set(x.set)
-            assert of is not None
-            by_evidence.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions, d)])
-    return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in by_evidence.items()]
+def evident(page: Page, d: m.Device, answer: m.Answer) -> list[tuple[str, str]]:
+    """The fields that a device probably supports, or that it has not, in a table for each evidence."""
+    tables = []
+    for e in d.evidence:
+        rows = []
+        for x in (*d.supports, *d.refuses):
+            if x.evidence == e and e.answer == answer:
+                of = page.model.set(x.set)
+                assert of is not None
+                rows.append([page.link(of), *entry(page, x.field, x.functions, d)])
+        if rows:
+            tables.append((page.say(describe.evidence(e, page.model)), table(rows, ["Set", *ENTRY])))
+    return tables
+
+
+def witnesses(page: Page, d: m.Device) -> str:
+    """Who says what is certain, if it is not only the manual of the device."""
+    said = [(e, sum(x.evidence == e for x in d.supports)) for e in d.evidence if e.answer == "yes"]
+    if all(e == m.Evidence("documented") for e, _ in said):
+        return ""
+    rows = [[page.say(describe.evidence(e, page.model)), str(n), _undefined(e)] for e, n in said]
+    return table(rows, ["Evidence", "Fields", "Without a known layout"])
+
+
+def _undefined(e: m.Evidence) -> str:
+    return ", ".join(code(f"(0x{number:02X},0x{descriptor:02X})") for number, descriptor in e.undefined)
 
 
 def differing(page: Page, d: m.Device) -> str:
@@ -52,9 +69,10 @@ def listed(page: Page) -> str:
     rows = []
     for d in page.model.devices:
         number = "" if d.model_number is None else str(d.model_number)
-        known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
-        rows.append([page.link(d), ", ".join(map(inline, d.also)), number, known, page.prose(d.description)])
-    return table(rows, ["Device", "Also called", "Model number", "Commands and data fields", "Description"])
+        certain = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
+        also = ", ".join(map(inline, d.also))
+        rows.append([page.link(d), also, number, certain, str(len(d.probable)), page.prose(d.description)])
+    return table(rows, ["Device", "Also called", "Model number", "Certain fields", "Probable", "Description"])
 
 
 def hertz(rate: m.Rate) -> str:
@@ -82,16 +100,18 @@ def ports(d: m.Device) -> str:
             inline(p.name),
             "" if p.id is None else code(hexadecimal(p.id)),
             ", ".join(map(str, p.baud_rates)),
-            ", ".join(map(inline, p.protocols)),
+            ", ".join(map(inline, p.receives)),
+            ", ".join(map(inline, p.sends)),
         ]
         for p in d.ports
     ]
-    return table(rows, ["Port", "Id", "Baud rates", "Protocols"])
+    return table(rows, ["Port", "Id", "Baud rates", "Receives", "Sends"])
 
 
 def limit(page: Page, of: m.Limit) -> str:
     """The value of a limit with its unit."""
-    return inline(describe.measured(describe.number(of.value), of.unit, page.model))
+    said = inline(describe.measured(describe.number(of.value), of.unit, page.model))
+    return f"{said} (firmware {inline(of.firmware)})" if of.firmware else said
 
 
 def limits(page: Page, d: m.Device) -> str:

@@ -168,10 +168,10 @@ def doubts(page: Page, steps: Steps) -> list[str]:
     """Why a device is only believed to take what the sequence uses."""
     used = steps.used
     return [
-        f"It is not certain that the {page.link(d)} has {page.link(s.field)}: {page.prose(s.evidence)}"
+        f"The {page.link(d)} probably has {page.link(s.field)}. {page.say(describe.evidence(s.evidence, page.model))}"
         for d in steps.devices
         for s in d.supports
-        if s.evidence is not None and s.field.full_name in used
+        if not s.certain and s.field.full_name in used
     ]
 
 

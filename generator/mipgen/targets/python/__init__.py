@@ -9,6 +9,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Identifier, Target
+from mipgen.facts import describe
 from mipgen.lower import calls
 
 from . import docs, info, members, names, simulation, steps, tables
@@ -93,6 +94,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "type_doc": partial(docs.of_type, model=model),
         "function_doc": docs.of_function,
         "device_doc": partial(docs.of_device, model=model),
+        "why": lambda e: describe.why(e, model),
         "member_doc": partial(docs.of_member, model=model),
         "value_doc": partial(docs.of_value, model=model),
         "bits_doc": partial(docs.of_bits, model=model),

@@ -8,6 +8,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
+from mipgen.facts import describe
 
 from . import commands, docs, names, records, tables
 from .names import LANGUAGE, constant, home, member, method, module, type_name, variant
@@ -102,6 +103,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bits_doc": about.bits,
         "conversion_doc": about.conversion,
         "device_doc": about.device,
+        "why": lambda e: describe.why(e, model),
         "difference": about.difference,
         "field_doc": about.field,
         "parameter_doc": about.parameter,
