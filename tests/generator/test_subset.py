@@ -190,8 +190,8 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
             "a device that has it: 3dm-gq4-45",
         ),
         (
-            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "rtk")),
-            "the set 'rtk' is of no selected device; leave it out, or select no device",
+            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "displacement")),
+            "the set 'displacement' is of no selected device; leave it out, or select no device",
         ),
     ],
 )

@@ -986,7 +986,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
             frozenset(
                 {
                     (0x01, 0x04),  # base.get_device_descriptors
@@ -1005,7 +1005,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x0C, 0x11),  # 3dm.data_stream_control
@@ -1029,7 +1029,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
             frozenset(
                 {
                     (0x0C, 0x2E),  # 3dm.event_trigger_config
@@ -1046,7 +1046,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
             frozenset(
                 {
                     (0x0D, 0x50),  # filter.aiding_measurement_enable
@@ -1066,7 +1066,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
             frozenset(
                 {
                     (0x82, 0x50)  # filter_data.aiding_frame_config_error
@@ -1307,7 +1307,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
             frozenset(
                 {
                     (0x01, 0x04),  # base.get_device_descriptors
@@ -1326,7 +1326,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x0C, 0x11),  # 3dm.data_stream_control
@@ -1350,7 +1350,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
             frozenset(
                 {
                     (0x0C, 0x2E),  # 3dm.event_trigger_config
@@ -1367,7 +1367,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
             frozenset(
                 {
                     (0x0D, 0x50),  # filter.aiding_measurement_enable
@@ -1387,7 +1387,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
             frozenset(
                 {
                     (0x82, 0x50)  # filter_data.aiding_frame_config_error
@@ -1599,7 +1599,7 @@ CV7_GNSS_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -2036,7 +2036,7 @@ CV7_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x0D, 0x13),  # filter.antenna_offset
@@ -2048,7 +2048,7 @@ CV7_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
+            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
             frozenset(
                 {
                     (0x0D, 0x52),  # filter.initialization_config
@@ -2061,7 +2061,7 @@ CV7_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
             frozenset(
                 {
                     (0x94, 0x03),  # gnss_external.llh_position
@@ -2365,7 +2365,7 @@ CX5_10 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
+            "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -2895,7 +2895,7 @@ CX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
+            "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
             frozenset(
                 {
                     (0x80, 0x04),  # sensor.scaled_accel
@@ -3820,7 +3820,7 @@ GQ4_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -3957,7 +3957,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
             frozenset(
                 {
                     (0x01, 0x03),  # base.get_device_info
@@ -3971,7 +3971,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
             frozenset(
                 {
                     (0x01, 0x04),  # base.get_device_descriptors
@@ -3987,7 +3987,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x0C, 0x04),  # 3dm.poll_nmea_data
@@ -4010,7 +4010,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
             frozenset(
                 {
                     (0x80, 0x04),  # sensor.scaled_accel
@@ -4261,10 +4261,8 @@ GQ7 = Device(
         ),
     },
     readings={
-        "base.comm_speed.port": types.CommInterface,
         "base.built_in_test_response.result": types.Cv7BuiltInTest,
         "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
-        "base.comm_speed_response.port": types.CommInterface,
         "filter_data.status.filter_state": filter_data.Cv7FilterState,
         "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
@@ -5898,7 +5896,7 @@ GX5_15 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -6323,7 +6321,7 @@ GX5_35 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -6462,7 +6460,7 @@ GX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x03),  # base.get_device_info
@@ -6532,7 +6530,7 @@ GX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
+            "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
             frozenset(
                 {
                     (0x01, 0x06),  # base.resume
@@ -6834,7 +6832,7 @@ RQ1_45_LT = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -6972,7 +6970,7 @@ RQ1_45_ST = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
+            "Its documentation has it.",
             frozenset(
                 {
                     (0x01, 0x01),  # base.ping
@@ -7135,11 +7133,7 @@ RTK = Device(
     ports=(),
     limits={},
     notes={},
-    readings={
-        "base.comm_speed.port": types.CommInterface,
-        "base.built_in_test_response.result": types.Cv7BuiltInTest,
-        "base.comm_speed_response.port": types.CommInterface,
-    },
+    readings={"base.built_in_test_response.result": types.Cv7BuiltInTest},
     ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=(),

@@ -10,7 +10,7 @@ from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
 #: Kind of evidence -> what it says; for those that are about other devices, what follows is the devices.
 _KINDS = {
-    "documented": "Its manual has it",
+    "documented": "Its documentation has it",
     "listed": "The device lists it",
     "transcribed": "A list by others after its manual has it",
     "example": "An example of the vendor for it uses it",

@@ -1157,11 +1157,11 @@ pub static CV5_45: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_AHRS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Program for a 3DM-CV7)." },
@@ -1402,7 +1402,7 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -1417,7 +1417,7 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -1456,11 +1456,11 @@ pub static CV7_AHRS: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_AR_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
     Evidence { answer: Support::Yes, why: "The device lists it (MicroStrain Communication Library: Issue 258)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
@@ -1690,7 +1690,7 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -1705,7 +1705,7 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -1744,7 +1744,7 @@ pub static CV7_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_GNSS_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
 ];
 
 /// 3DM-CV7-GNSS/INS
@@ -2358,9 +2358,9 @@ pub static CV7_GNSS_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
@@ -2625,7 +2625,7 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -2640,7 +2640,7 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -2684,7 +2684,7 @@ pub static CV7_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_10_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)." },
     Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." },
 ];
@@ -3251,7 +3251,7 @@ pub static CX5_35: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." },
@@ -3645,7 +3645,7 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -3660,7 +3660,7 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -3889,7 +3889,7 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -3904,7 +3904,7 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -4187,7 +4187,7 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -4202,7 +4202,7 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -4303,7 +4303,7 @@ pub static DH3: Profile = Profile {
 
 #[rustfmt::skip]
 const GQ4_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
     Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45." },
 ];
 
@@ -4465,10 +4465,10 @@ pub static GQ4_45: Profile = Profile {
 
 #[rustfmt::skip]
 const GQ7_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
@@ -4758,8 +4758,8 @@ pub static GQ7: Profile = Profile {
     variants: &[
         Variant {
             parameter: "base.comm_speed.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "1 is the main port, 2 the auxiliary one",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -4773,8 +4773,8 @@ pub static GQ7: Profile = Profile {
         },
         Variant {
             parameter: "base.comm_speed_response.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "1 is the main port, 2 the auxiliary one",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5008,7 +5008,7 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5023,7 +5023,7 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5252,7 +5252,7 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5267,7 +5267,7 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5543,7 +5543,7 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5558,7 +5558,7 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -6635,7 +6635,7 @@ pub static GX5_10: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
     Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 301)." },
 ];
 
@@ -7137,7 +7137,7 @@ pub static GX5_25: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_35_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
     Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
 ];
@@ -7322,8 +7322,8 @@ pub static GX5_35: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages)." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
     Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." },
@@ -7689,7 +7689,7 @@ pub static MV5_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const RQ1_45_LT_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
     Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
 ];
 
@@ -7854,7 +7854,7 @@ pub static RQ1_45_LT: Profile = Profile {
 
 #[rustfmt::skip]
 const RQ1_45_ST_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
+    Evidence { answer: Support::Yes, why: "Its documentation has it." },
     Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT." },
 ];
 
@@ -8067,8 +8067,8 @@ pub static RTK: Profile = Profile {
     variants: &[
         Variant {
             parameter: "base.comm_speed.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "the values are not known",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -8077,8 +8077,8 @@ pub static RTK: Profile = Profile {
         },
         Variant {
             parameter: "base.comm_speed_response.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[

@@ -4,45 +4,56 @@ from __future__ import annotations
 
 from . import tools, types
 from .lookup import device_id
-from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
+from .profile import Device, DeviceInfo, Evidence, Limit, Note, Port, Support, model_number
 
 MODEL_A = Device(
     id="model-a",
     title="Model A",
     description="Supports nearly everything.",
     model_number=4711,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x03),  # tools.set_time
-            (0x01, 0x04),  # tools.status
-            (0x01, 0x05),  # tools.bias
-            (0x01, 0x06),  # tools.capture_bias
-            (0x01, 0x07),  # tools.formats
-            (0x01, 0x08),  # tools.choice
-            (0x01, 0x09),  # tools.list
-            (0x01, 0x0A),  # tools.inventory
-            (0x01, 0x0B),  # tools.pin
-            (0x01, 0x0D),  # tools.readings
-            (0x0C, 0x10),  # 3d.default
-            (0x80, 0x01),  # measurements.accel
-            (0x80, 0x02),  # measurements.numbers
-            (0x80, 0x03),  # measurements.strings
-            (0x80, 0x04),  # measurements.health
-            (0x80, 0x05),  # measurements.arrays
-            (0x80, 0x06),  # measurements.growing
-            (0x80, 0x08),  # measurements.cloud
-            (0x80, 0x0A),  # measurements.breeze
-            (0x81, 0x01),  # more.accel
-            (0x81, 0x03),  # more.strings
-            (0x81, 0x07),  # more.own
-            (0xFF, 0xD3),  # shared.timestamp
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # tools.ping
+                    (0x01, 0x02),  # tools.settings
+                    (0x01, 0x03),  # tools.set_time
+                    (0x01, 0x04),  # tools.status
+                    (0x01, 0x05),  # tools.bias
+                    (0x01, 0x06),  # tools.capture_bias
+                    (0x01, 0x07),  # tools.formats
+                    (0x01, 0x08),  # tools.choice
+                    (0x01, 0x09),  # tools.list
+                    (0x01, 0x0A),  # tools.inventory
+                    (0x01, 0x0B),  # tools.pin
+                    (0x01, 0x0D),  # tools.readings
+                    (0x0C, 0x10),  # 3d.default
+                    (0x80, 0x01),  # measurements.accel
+                    (0x80, 0x02),  # measurements.numbers
+                    (0x80, 0x03),  # measurements.strings
+                    (0x80, 0x04),  # measurements.health
+                    (0x80, 0x05),  # measurements.arrays
+                    (0x80, 0x06),  # measurements.growing
+                    (0x80, 0x08),  # measurements.cloud
+                    (0x80, 0x0A),  # measurements.breeze
+                    (0x81, 0x01),  # more.accel
+                    (0x81, 0x03),  # more.strings
+                    (0x81, 0x07),  # more.own
+                    (0xFF, 0xD3),  # shared.timestamp
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={0x80: 1000, 0x81: 500},
-    ports=(Port("Main", 17, (9600, 115200), ("MIP", "NMEA")), Port("USB", None, (), ("MIP",))),
+    ports=(
+        Port("Main", 17, (9600, 115200), ("MIP", "NMEA"), ("MIP", "NMEA")),
+        Port("USB", None, (), ("MIP",), ("MIP",)),
+    ),
     limits={
         "segments": Limit(12, None, "In a format."),
         "range": Limit(2.5, "g", "Of the sensor."),
@@ -57,7 +68,6 @@ MODEL_A = Device(
         "tools.status_long.flags": tools.ModelAFaults,
     },
     ack_codes=frozenset([0, 1, 3]),
-    perhaps={},
     incomplete=(),
     also=(),
     generation=None,
@@ -71,13 +81,21 @@ MODEL_B = Device(
     title="Model B",
     description="Small, and reads the acknowledge code in its own way.",
     model_number=None,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x04),  # tools.status
-            (0x80, 0x01),  # measurements.accel
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # tools.ping
+                    (0x01, 0x02),  # tools.settings
+                    (0x01, 0x04),  # tools.status
+                    (0x80, 0x01),  # measurements.accel
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x01, 0x02): "WR"},
     base_rates={0x80: 0},
@@ -90,7 +108,6 @@ MODEL_B = Device(
         "tools.status_long.flags": tools.ModelBFaults,
     },
     ack_codes=frozenset([0, 1]),
-    perhaps={},
     incomplete=(),
     also=(),
     generation=None,
@@ -103,44 +120,82 @@ MODEL_C = Device(
     title="Model C",
     description="Like the model A, with a radio and without a choice.",
     model_number=4713,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x03),  # tools.set_time
-            (0x01, 0x04),  # tools.status
-            (0x01, 0x05),  # tools.bias
-            (0x01, 0x06),  # tools.capture_bias
-            (0x01, 0x07),  # tools.formats
-            (0x01, 0x09),  # tools.list
-            (0x01, 0x0A),  # tools.inventory
-            (0x01, 0x0B),  # tools.pin
-            (0x01, 0x0D),  # tools.readings
-            (0x80, 0x01),  # measurements.accel
-            (0x80, 0x02),  # measurements.numbers
-            (0x80, 0x03),  # measurements.strings
-            (0x80, 0x04),  # measurements.health
-            (0x80, 0x05),  # measurements.arrays
-            (0x80, 0x06),  # measurements.growing
-            (0x80, 0x07),  # measurements.radio
-            (0x80, 0x08),  # measurements.cloud
-            (0x80, 0x0A),  # measurements.breeze
-            (0x81, 0x01),  # more.accel
-            (0x81, 0x07),  # more.own
-            (0xFF, 0xD3),  # shared.timestamp
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # tools.ping
+                    (0x01, 0x02),  # tools.settings
+                    (0x01, 0x03),  # tools.set_time
+                    (0x01, 0x04),  # tools.status
+                    (0x01, 0x05),  # tools.bias
+                    (0x01, 0x06),  # tools.capture_bias
+                    (0x01, 0x07),  # tools.formats
+                    (0x01, 0x09),  # tools.list
+                    (0x01, 0x0A),  # tools.inventory
+                    (0x01, 0x0B),  # tools.pin
+                    (0x01, 0x0D),  # tools.readings
+                    (0x80, 0x01),  # measurements.accel
+                    (0x80, 0x02),  # measurements.numbers
+                    (0x80, 0x03),  # measurements.strings
+                    (0x80, 0x04),  # measurements.health
+                    (0x80, 0x05),  # measurements.arrays
+                    (0x80, 0x06),  # measurements.growing
+                    (0x80, 0x07),  # measurements.radio
+                    (0x80, 0x08),  # measurements.cloud
+                    (0x80, 0x0A),  # measurements.breeze
+                    (0x81, 0x01),  # more.accel
+                    (0x81, 0x07),  # more.own
+                    (0xFF, 0xD3),  # shared.timestamp
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.YES,
+            "listed",
+            "The device lists it (firmware 1.0.07; 2026-11-23).",
+            frozenset(
+                {
+                    (0x01, 0x0E)  # tools.poll
+                }
+            ),
+            ((1, 110), (1, 111)),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "transcribed",
+            "A list by others after its manual has it (Kit of names: Names). It names tools.hello.",
+            frozenset(
+                {
+                    (0x01, 0x0C),  # tools.hello
+                    (0x92, 0x01),  # copy.accel
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (firmware 1.2).",
+            frozenset(
+                {
+                    (0x01, 0x08)  # tools.choice
+                }
+            ),
+            (),
+        ),
     ),
     functions={(0x01, 0x02): "WRS"},
     base_rates={0x80: 1000, 0x81: 250},
-    ports=(Port("Main", 18, (9600,), ("MIP",)), Port("CAN", None, (), ())),
+    ports=(Port("Main", 18, (9600,), ("MIP",), ("MIP",)), Port("CAN", None, (), (), ())),
     limits={"segments": Limit(6, None, "In a format.")},
     notes={},
     readings={"tools.status_short.flags": tools.ModelAFaults},
     ack_codes=frozenset([0, 1, 3]),
-    perhaps={
-        (0x01, 0x0C): "The sheet names it.",  # tools.hello
-        (0x92, 0x01): "The sheet names it.",  # copy.accel
-    },
     incomplete=(),
     also=("Model See", "c"),
     generation=3,
@@ -158,10 +213,29 @@ OLD_1 = Device(
     title="Old 1",
     description="Known by its name and number.",
     model_number=4001,
-    fields=frozenset(
-        {
-            (0x01, 0x01)  # tools.ping
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            frozenset(
+                {
+                    (0x01, 0x01)  # tools.ping
+                }
+            ),
+            (),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, Model A and Model B.",
+            frozenset(
+                {
+                    (0x80, 0x02)  # measurements.numbers
+                }
+            ),
+            (),
+        ),
     ),
     functions={},
     base_rates={},
@@ -170,9 +244,6 @@ OLD_1 = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={
-        (0x80, 0x02): "All old devices have it."  # measurements.numbers
-    },
     incomplete=("No manual is known; see `tools.ping`.",),
     also=("First",),
     generation=1,
@@ -189,7 +260,20 @@ OLD_2 = Device(
     title="Old 2",
     description="Known by its name and number.",
     model_number=4002,
-    fields=frozenset({}),
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, Model A and Model B.",
+            frozenset(
+                {
+                    (0x01, 0x01),  # tools.ping
+                    (0x80, 0x02),  # measurements.numbers
+                }
+            ),
+            (),
+        ),
+    ),
     functions={},
     base_rates={},
     ports=(),
@@ -197,10 +281,6 @@ OLD_2 = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "All old devices have it.",  # tools.ping
-        (0x80, 0x02): "All old devices have it.",  # measurements.numbers
-    },
     incomplete=("Nothing is known of its data.",),
     also=(),
     generation=1,
@@ -245,8 +325,8 @@ def identify(info: DeviceInfo) -> Device | None:
 
 # fmt: off
 __all__ = [
-    "DEVICES", "Device", "DeviceInfo", "Limit", "Note", "Port", "by_model", "by_name", "find", "identify",
-    "model_number",
+    "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name", "find",
+    "identify", "model_number",
     "MODEL_A",
     "MODEL_B",
     "MODEL_C",
