@@ -150,7 +150,12 @@ def test_all_models_are_known() -> None:
     assert sorted({d.generation for d in REAL.devices}) == [3, 4, 5, 7]  # type: ignore[type-var]
     assert (numbers[6254].id, numbers[6254].also) == ("3dm-gx5-15", ("3DM-GX5-AR",))
     assert (numbers[6284].title, numbers[6232].like) == ("3DM-GQ7-GNSS/INS", None)
-    assert {numbers[n].id for n in (6256, 6700, 6701, 6702)} == {"3dm-cv5-45", "3dm-cx7-ar", "3dm-cx7-ahrs", "3dm-cx7-ins"}
+    assert {numbers[n].id for n in (6256, 6700, 6701, 6702)} == {
+        "3dm-cv5-45",
+        "3dm-cx7-ar",
+        "3dm-cx7-ahrs",
+        "3dm-cx7-ins",
+    }
     whole = {d.id for d in REAL.devices if not d.incomplete}
     assert whole == {"3dm-gx5-15", "3dm-cv7-gnss-ins"}
     assert all(d.manual or d.incomplete for d in REAL.devices)
@@ -169,7 +174,8 @@ def test_device_status() -> None:
         assert layout is not None and layout.min_size == layout.max_size == length - 2
         found[length] = layout.name.removeprefix("device_status_").removesuffix("_response")
     assert found == {
-        13: "basic_without_state", 15: "basic", 17: "basic_gx3", 53: "diagnostic", 62: "diagnostic_imu", 75: "diagnostic_gx4",
+        13: "basic_without_state", 15: "basic", 17: "basic_gx3", 53: "diagnostic", 62: "diagnostic_imu",
+        75: "diagnostic_gx4",
         79: "diagnostic_gnss", 82: "diagnostic_gq4_45", 88: "diagnostic_rq1_45",
         107: "diagnostic_gx3",
     }  # fmt: skip

@@ -95,11 +95,10 @@ def _given(options: Namespace) -> str:
     """The options of a run, for a command that does the same."""
     given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
-    given += [("--certain", [""] if getattr(options, "certain", False) else [])]
     given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
     given += [("--plugin", options.plugins)]
-    said = (f" {option} {shlex.quote(str(value)) if value != '' else ''}" for option, values in given for value in values)
-    return "".join(said).rstrip()
+    certain = " --certain" if getattr(options, "certain", False) else ""
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values) + certain
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:

@@ -1,4 +1,4 @@
-"""What is said about devices, why they are believed to have what they have, and about the manuals that describe them."""
+"""What is said about devices, why they are believed to have what they have, and about their manuals."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ _KINDS = {
     "sister": "A nearly equal device has it",
     "refused": "The device refuses it",
 }
+
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
     """The facts about a device besides its description, its fields, and what differs there."""

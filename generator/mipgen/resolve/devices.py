@@ -198,7 +198,9 @@ class _Device:
     def evidence(self, node: Node) -> m.Evidence:
         kind, of = node["kind"].value, list(node.get("of") or ())
         if of and kind not in ("family", "sister"):
-            self.problems.add(node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister")
+            self.problems.add(
+                node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister"
+            )
         known = self.types.vocabulary.devices
         for name in of:
             if name.value not in known:
