@@ -178,13 +178,13 @@ def _load(options: Namespace) -> tuple[Model, str]:
     from mipgen.resolve.load import load_model
 
     whole = load_model(*_specs(options))
-    certain = getattr(options, "certain", False)
-    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS), certain=certain)
+    devices, sets, fields = (tuple(getattr(options, name, ())) for name in PARTS)
+    asked = subset.Selection(devices, sets, fields, getattr(options, "certain", False))
     if not asked:
         return whole, _summary(whole)
     part = subset.select(whole, asked)
-    devices = [describe.known(d) for d in whole.devices if d.id in asked.devices]
-    return part, "\n".join([*devices, subset.left_out(whole, part), _summary(part)])
+    known = [describe.known(d) for d in whole.devices if d.id in asked.devices]
+    return part, "\n".join([*known, subset.left_out(whole, part), _summary(part)])
 
 
 def _summary(model: Model) -> str:

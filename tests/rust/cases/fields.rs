@@ -498,7 +498,11 @@ fn devices_tell_what_is_not_certain() {
     assert_eq!(Some(old), devices::Profile::find("First"));
     assert_eq!((old.generation, old.manual, old.also), (Some(1), None, &["First"][..]));
     assert_eq!(old.incomplete, ["No manual is known; see `tools.ping`."]);
-    assert!(old.has::<tools::Ping>() && old.has::<measurements::Numbers>() && !old.has::<tools::Choice>());
+    assert!(
+        old.has::<tools::Ping>()
+            && old.has::<measurements::Numbers>()
+            && !old.has::<tools::Choice>()
+    );
     assert_eq!(old.support(0x01, 0x01), devices::Support::Yes);
     assert_eq!(old.support(0x80, 0x02), devices::Support::Probable);
     assert_eq!(old.support(0x80, 0x03), devices::Support::Unknown);

@@ -16,9 +16,8 @@ pub static ALL: &[&Profile] = &[
 ];
 
 #[rustfmt::skip]
-const MODEL_A_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its documentation has it." },
-];
+const MODEL_A_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
 
 /// Model A
 ///
@@ -46,31 +45,31 @@ pub static MODEL_A: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] MODEL_A_EVIDENCE[0];
-        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY] MODEL_A_EVIDENCE[0];
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_A_EVIDENCE[0];
-        0x01 0x04 "tools.status" [] MODEL_A_EVIDENCE[0];
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_A_EVIDENCE[0];
-        0x01 0x06 "tools.capture_bias" [] MODEL_A_EVIDENCE[0];
-        0x01 0x07 "tools.formats" [] MODEL_A_EVIDENCE[0];
-        0x01 0x08 "tools.choice" [WRITE READ] MODEL_A_EVIDENCE[0];
-        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_A_EVIDENCE[0];
-        0x01 0x0A "tools.inventory" [] MODEL_A_EVIDENCE[0];
-        0x01 0x0B "tools.pin" [WRITE READ] MODEL_A_EVIDENCE[0];
-        0x01 0x0D "tools.readings" [] MODEL_A_EVIDENCE[0];
-        0x0C 0x10 "3d.default" [] MODEL_A_EVIDENCE[0];
-        0x80 0x01 "measurements.accel" [] MODEL_A_EVIDENCE[0];
-        0x80 0x02 "measurements.numbers" [] MODEL_A_EVIDENCE[0];
-        0x80 0x03 "measurements.strings" [] MODEL_A_EVIDENCE[0];
-        0x80 0x04 "measurements.health" [] MODEL_A_EVIDENCE[0];
-        0x80 0x05 "measurements.arrays" [] MODEL_A_EVIDENCE[0];
-        0x80 0x06 "measurements.growing" [] MODEL_A_EVIDENCE[0];
-        0x80 0x08 "measurements.cloud" [] MODEL_A_EVIDENCE[0];
-        0x80 0x0A "measurements.breeze" [] MODEL_A_EVIDENCE[0];
-        0x81 0x01 "more.accel" [] MODEL_A_EVIDENCE[0];
-        0x81 0x03 "more.strings" [] MODEL_A_EVIDENCE[0];
-        0x81 0x07 "more.own" [] MODEL_A_EVIDENCE[0];
-        0xFF 0xD3 "shared.timestamp" [] MODEL_A_EVIDENCE[0];
+        0x01 0x01 "tools.ping" [] MODEL_A_1;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY] MODEL_A_1;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_A_1;
+        0x01 0x04 "tools.status" [] MODEL_A_1;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_A_1;
+        0x01 0x06 "tools.capture_bias" [] MODEL_A_1;
+        0x01 0x07 "tools.formats" [] MODEL_A_1;
+        0x01 0x08 "tools.choice" [WRITE READ] MODEL_A_1;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_A_1;
+        0x01 0x0A "tools.inventory" [] MODEL_A_1;
+        0x01 0x0B "tools.pin" [WRITE READ] MODEL_A_1;
+        0x01 0x0D "tools.readings" [] MODEL_A_1;
+        0x0C 0x10 "3d.default" [] MODEL_A_1;
+        0x80 0x01 "measurements.accel" [] MODEL_A_1;
+        0x80 0x02 "measurements.numbers" [] MODEL_A_1;
+        0x80 0x03 "measurements.strings" [] MODEL_A_1;
+        0x80 0x04 "measurements.health" [] MODEL_A_1;
+        0x80 0x05 "measurements.arrays" [] MODEL_A_1;
+        0x80 0x06 "measurements.growing" [] MODEL_A_1;
+        0x80 0x08 "measurements.cloud" [] MODEL_A_1;
+        0x80 0x0A "measurements.breeze" [] MODEL_A_1;
+        0x81 0x01 "more.accel" [] MODEL_A_1;
+        0x81 0x03 "more.strings" [] MODEL_A_1;
+        0x81 0x07 "more.own" [] MODEL_A_1;
+        0xFF 0xD3 "shared.timestamp" [] MODEL_A_1;
     },
     refuses: supported! {
     },
@@ -128,9 +127,8 @@ pub static MODEL_A: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const MODEL_B_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its documentation has it." },
-];
+const MODEL_B_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
 
 /// Model B
 ///
@@ -149,10 +147,10 @@ pub static MODEL_B: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] MODEL_B_EVIDENCE[0];
-        0x01 0x02 "tools.settings" [WRITE READ] MODEL_B_EVIDENCE[0];
-        0x01 0x04 "tools.status" [] MODEL_B_EVIDENCE[0];
-        0x80 0x01 "measurements.accel" [] MODEL_B_EVIDENCE[0];
+        0x01 0x01 "tools.ping" [] MODEL_B_1;
+        0x01 0x02 "tools.settings" [WRITE READ] MODEL_B_1;
+        0x01 0x04 "tools.status" [] MODEL_B_1;
+        0x80 0x01 "measurements.accel" [] MODEL_B_1;
     },
     refuses: supported! {
     },
@@ -192,12 +190,17 @@ pub static MODEL_B: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const MODEL_C_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its documentation has it." },
-    Evidence { answer: Support::Yes, why: "The device lists it (firmware 1.0.07; 2026-11-23)." },
-    Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Kit of names: Names). It names tools.hello." },
-    Evidence { answer: Support::No, why: "The device refuses it (firmware 1.2)." },
-];
+const MODEL_C_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const MODEL_C_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "The device lists it (firmware 1.0.07; 2026-11-23)." };
+#[rustfmt::skip]
+const MODEL_C_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Kit of names: Names). It names tools.hello." };
+#[rustfmt::skip]
+const MODEL_C_4: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.2)." };
 
 /// Model C
 ///
@@ -220,35 +223,35 @@ pub static MODEL_C: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] MODEL_C_EVIDENCE[0];
-        0x01 0x02 "tools.settings" [WRITE READ SAVE] MODEL_C_EVIDENCE[0];
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_C_EVIDENCE[0];
-        0x01 0x04 "tools.status" [] MODEL_C_EVIDENCE[0];
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_C_EVIDENCE[0];
-        0x01 0x06 "tools.capture_bias" [] MODEL_C_EVIDENCE[0];
-        0x01 0x07 "tools.formats" [] MODEL_C_EVIDENCE[0];
-        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_C_EVIDENCE[0];
-        0x01 0x0A "tools.inventory" [] MODEL_C_EVIDENCE[0];
-        0x01 0x0B "tools.pin" [WRITE READ] MODEL_C_EVIDENCE[0];
-        0x01 0x0C "tools.hello" [] MODEL_C_EVIDENCE[2];
-        0x01 0x0D "tools.readings" [] MODEL_C_EVIDENCE[0];
-        0x01 0x0E "tools.poll" [] MODEL_C_EVIDENCE[1];
-        0x80 0x01 "measurements.accel" [] MODEL_C_EVIDENCE[0];
-        0x80 0x02 "measurements.numbers" [] MODEL_C_EVIDENCE[0];
-        0x80 0x03 "measurements.strings" [] MODEL_C_EVIDENCE[0];
-        0x80 0x04 "measurements.health" [] MODEL_C_EVIDENCE[0];
-        0x80 0x05 "measurements.arrays" [] MODEL_C_EVIDENCE[0];
-        0x80 0x06 "measurements.growing" [] MODEL_C_EVIDENCE[0];
-        0x80 0x07 "measurements.radio" [] MODEL_C_EVIDENCE[0];
-        0x80 0x08 "measurements.cloud" [] MODEL_C_EVIDENCE[0];
-        0x80 0x0A "measurements.breeze" [] MODEL_C_EVIDENCE[0];
-        0x81 0x01 "more.accel" [] MODEL_C_EVIDENCE[0];
-        0x81 0x07 "more.own" [] MODEL_C_EVIDENCE[0];
-        0x92 0x01 "copy.accel" [] MODEL_C_EVIDENCE[2];
-        0xFF 0xD3 "shared.timestamp" [] MODEL_C_EVIDENCE[0];
+        0x01 0x01 "tools.ping" [] MODEL_C_1;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE] MODEL_C_1;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_C_1;
+        0x01 0x04 "tools.status" [] MODEL_C_1;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_C_1;
+        0x01 0x06 "tools.capture_bias" [] MODEL_C_1;
+        0x01 0x07 "tools.formats" [] MODEL_C_1;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_C_1;
+        0x01 0x0A "tools.inventory" [] MODEL_C_1;
+        0x01 0x0B "tools.pin" [WRITE READ] MODEL_C_1;
+        0x01 0x0C "tools.hello" [] MODEL_C_3;
+        0x01 0x0D "tools.readings" [] MODEL_C_1;
+        0x01 0x0E "tools.poll" [] MODEL_C_2;
+        0x80 0x01 "measurements.accel" [] MODEL_C_1;
+        0x80 0x02 "measurements.numbers" [] MODEL_C_1;
+        0x80 0x03 "measurements.strings" [] MODEL_C_1;
+        0x80 0x04 "measurements.health" [] MODEL_C_1;
+        0x80 0x05 "measurements.arrays" [] MODEL_C_1;
+        0x80 0x06 "measurements.growing" [] MODEL_C_1;
+        0x80 0x07 "measurements.radio" [] MODEL_C_1;
+        0x80 0x08 "measurements.cloud" [] MODEL_C_1;
+        0x80 0x0A "measurements.breeze" [] MODEL_C_1;
+        0x81 0x01 "more.accel" [] MODEL_C_1;
+        0x81 0x07 "more.own" [] MODEL_C_1;
+        0x92 0x01 "copy.accel" [] MODEL_C_3;
+        0xFF 0xD3 "shared.timestamp" [] MODEL_C_1;
     },
     refuses: supported! {
-        0x01 0x08 "tools.choice" [WRITE READ] MODEL_C_EVIDENCE[3];
+        0x01 0x08 "tools.choice" [WRITE READ] MODEL_C_4;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -323,10 +326,11 @@ pub static MODEL_C: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const OLD_1_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its documentation has it." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." },
-];
+const OLD_1_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const OLD_1_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
 
 /// Old 1
 ///
@@ -349,8 +353,8 @@ pub static OLD_1: Profile = Profile {
         "No manual is known; see `tools.ping`.",
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] OLD_1_EVIDENCE[0];
-        0x80 0x02 "measurements.numbers" [] OLD_1_EVIDENCE[1];
+        0x01 0x01 "tools.ping" [] OLD_1_1;
+        0x80 0x02 "measurements.numbers" [] OLD_1_2;
     },
     refuses: supported! {
     },
@@ -367,9 +371,8 @@ pub static OLD_1: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const OLD_2_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." },
-];
+const OLD_2_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
 
 /// Old 2
 ///
@@ -392,8 +395,8 @@ pub static OLD_2: Profile = Profile {
         "Nothing is known of its data.",
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] OLD_2_EVIDENCE[0];
-        0x80 0x02 "measurements.numbers" [] OLD_2_EVIDENCE[0];
+        0x01 0x01 "tools.ping" [] OLD_2_1;
+        0x80 0x02 "measurements.numbers" [] OLD_2_1;
     },
     refuses: supported! {
     },
