@@ -501,7 +501,7 @@ def test_devices(spec: str) -> None:
             )  # fmt: skip
         assert device.support(0x01, 0xEE).value == d.absent and device.why(0x01, 0xEE) is None
         assert (device.also, device.generation, device.manual) == (d.also, d.generation, d.manual)
-        assert all(package.devices.find(name) is device for name in (d.id, d.title, *d.also))
+        assert all(package.devices.by_name(name) is device for name in (d.id, d.title, *d.also))
         assert d.model_number is None or package.devices.by_model(d.model_number) is device
         assert device.functions == {key: m.letters(s.functions) for key, s in keys.items() if s.differs}
         assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
