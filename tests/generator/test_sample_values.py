@@ -114,9 +114,7 @@ def sent() -> Iterator[tuple[m.Field, list[m.Device], codec.Values]]:
     for f in of.fields:
         for call in samples("real").sent(f) if f.role == m.COMMAND else []:
             takers = [
-                d
-                for d, s in of.supports(f)
-                if s.evidence is None and (call.function is None or call.function in s.functions)
+                d for d, s in of.supports(f) if s.certain and (call.function is None or call.function in s.functions)
             ]
             yield f, takers, samples("real").values(f, call)
 
