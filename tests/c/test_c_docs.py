@@ -189,10 +189,11 @@ def test_what_is_compared_holds_all_topics() -> None:
     facts += [x for d in of.devices for x in describe.device(d, of)]
     facts += [x for t in of.all_types if isinstance(t, m.Bitfield) for b in t.bits for x in describe.bits(b, of)]
     assert {x.topic for x in facts} >= {
-        "advanced", "alias", "also", "case", "commands", "constant", "counts", "default", "deprecated",
-        "deprecation", "devices", "elements", "frame", "functions", "generation", "incomplete", "layout", "like",
-        "manual", "max_rate", "model_number", "note", "optional", "perhaps", "place", "range", "required", "reserved",
-        "responses", "sets", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
+        "advanced", "affected", "affects", "alias", "also", "case", "commands", "concerns", "constant", "counts",
+        "default", "deprecated", "deprecation", "devices", "elements", "flags", "frame", "functions", "generation",
+        "incomplete", "layout", "like", "manual", "max_rate", "may_affect", "model_number", "note", "optional",
+        "perhaps", "place", "range", "required", "reserved", "responses", "sets", "silent", "tag", "timeout",
+        "uncertain", "unit", "valid", "values", "variant", "when",
     }  # fmt: skip
 
 

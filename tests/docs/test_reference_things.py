@@ -62,6 +62,9 @@ def test_every_set_has_its_page(manual: Manual) -> None:
         page, fields = manual.page(f"sets/{s.name}.md"), asked(s, manual.model)
         assert page.startswith(f"# {heading(s)}\n")
         assert prose(s.description, manual.model) in words(page)
+        assert [line for line in bullets(page.partition("\n## ")[0]) if "hanged by" in line] == [
+            seen(x.sentence) for x in describe.changed(s, manual.model)
+        ]
         assert ("\n## Contents\n" in page) == bool(fields)
         contents = table_with(page.partition("\n## Contents\n")[2], "Descriptor") if fields else []
         assert len(contents) == len(fields)

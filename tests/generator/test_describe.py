@@ -44,8 +44,20 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.capture_bias",
             {
                 "responses": "Answered by <tools.bias_vector>.",
+                "may_affect": "Probably changes <measurements.accel>.",
+                "flags": "Flagged by <sensor> of <model_a_faults>.",
                 "devices": A,
                 "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
+            },
+        ),
+        (
+            "tools.bias",
+            {
+                "functions": "Functions: <write>, <read>, <save>, <load> and <default>.",
+                "responses": "Answered by <tools.bias_vector>.",
+                "affects": "Changes <measurements.accel> and <measurements.gust>.",
+                "may_affect": "Probably changes <more (0x81)>.",
+                "devices": A,
             },
         ),
         (
@@ -86,6 +98,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "more.accel",
             {
                 "sets": "Occurs in <measurements (0x80)>, <more (0x81)> and <copy (0x92)>.",
+                "affected": "Probably changed by <tools.capture_bias>.",
+                "flags": "Flagged by <sensor> of <model_a_faults>.",
                 "max_rate": "Maximum rate: 100 Hz.",
                 "devices": "Supported by <Model A>, <Model B> and <Model C>.",
             },
@@ -94,6 +108,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "measurements.gust",
             {
                 "sets": "Occurs in <measurements (0x80)> and <copy (0x92)>.",
+                "affected": "Changed by <tools.bias>.",
                 "devices": "Not listed in any device profile.",
                 "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
                 "<shape>.",

@@ -27,6 +27,8 @@ def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
     assert [d.id for d in after.devices_of(light)] == [d.id for d in after.devices_of(lamp)] == ["3dm-cv7-gnss-ins"]
     said = [describe.say(x.sentence, lambda ref: ref.words) for x in describe.field(lamp, after)]
     assert "Supported by 3DM-CV7-GNSS/INS." in said
+    assert "Changes sensor.ambient_light and system_data (0xA0)." in said
+    assert after.changed_by(light) == (lamp,)
 
 
 def test_sources_are_optional(tmp_path: Path) -> None:

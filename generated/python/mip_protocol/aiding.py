@@ -271,7 +271,9 @@ class FrameConfig(Command[R]):
     Where and how an external sensor is mounted on the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Changes `filter_data.AidingFrameConfigError`. Probably changes
+    `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    3DM-CV7-GNSS/INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not

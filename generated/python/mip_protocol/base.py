@@ -864,8 +864,10 @@ class GpsTimeUpdate(Command[R]):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write` only.
+    `GpsTimeUpdateTowResponse`. Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`,
+    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write`
+    only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;

@@ -2561,8 +2561,12 @@ class Reset(Command[None]):
 
     Returns the filter to its initialization state.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of
+    `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
+    `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
+    `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-GX5-45.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2596,7 +2600,9 @@ class SetInitialAttitude(Command[None]):
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
 
-    Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-GX5-45.
 
     Accepted only in the initialization state.
 
@@ -2648,8 +2654,9 @@ class SetInitialHeading(Command[None]):
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2694,10 +2701,11 @@ class SetInitialAttitudeFromImu(Command[None]):
 
     Initializes the attitude of the filter with that of the complementary filter.
 
-    Also called `set_initial_heading_from_mag`. May be supported by 3DM-GX3-45. Known only from the
-    MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name.
-    The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
-    layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+    Also called `set_initial_heading_from_mag`. Changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. May be supported by 3DM-GX3-45. Known
+    only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+    Uncertain: The name. The SDK calls it set initial heading from mag, and has no layout; the SDK
+    of 2014 has this layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
 
     - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
     - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -2737,7 +2745,7 @@ class Run(Command[None]):
 
     Starts a filter that is configured to wait for this command.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2772,8 +2780,9 @@ class VehicleDynamicsMode(Command[R]):
     Adapts the filter to the motion that it has to expect.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    only from the MicroStrain MIP SDK.
+    `VehicleDynamicsModeResponse`. Changes `filter_data.Status`. Probably changes filter_data
+    (0x82). Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2884,14 +2893,16 @@ class SensorToVehicleRotationEuler(Command[R]):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
-    formula. The text of the manual lacks it; it is the inverse of that of
+    `SensorToVehicleRotationEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
+    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula. The
+    text of the manual lacks it; it is the inverse of that of
     `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
-    It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter. The 3DM-CV7 uses the inverse instead:
-    `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
+    The 3DM-CV7 uses the inverse instead: `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor =
+    Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -3024,12 +3035,11 @@ class SensorToVehicleOffset(Command[R]):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
-    from the name.
+    `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
+    Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin
+    of the vehicle frame, is inferred from the name.
 
-    It shifts only `filter_data.LlhPosition`. The shift is constant. It does not follow the
-    attitude, as a lever arm would.
+    The shift is constant. It does not follow the attitude, as a lever arm would.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -3135,7 +3145,10 @@ class AntennaOffset(Command[R]):
     Position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
+    Flagged by `filter_data.Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of
+    `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -3244,7 +3257,13 @@ class EstimationControl(Command[R]):
     Which states the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+    `EstimationControlResponse`. Changes `filter_data.GyroBias`, `filter_data.AccelBias`,
+    `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
+    `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`.
+    Probably changes `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`,
+    `filter_data.GyroScaleFactorUncertainty`, `filter_data.AccelScaleFactorUncertainty`,
+    `filter_data.AntennaOffsetCorrectionUncertainty`, `filter_data.MagOffsetUncertainty` and
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
     3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -3355,7 +3374,10 @@ class GnssSource(Command[R]):
     Which GNSS receiver aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+    3DM-GX5-45.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -3664,9 +3686,10 @@ class HeadingSource(Command[R]):
     Source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -3879,7 +3902,9 @@ class AccelNoise(Command[R]):
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
+    `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
+    `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -3986,7 +4011,9 @@ class GyroNoise(Command[R]):
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably changes `filter_data.EulerAnglesUncertainty`,
+    `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -4094,7 +4121,8 @@ class AccelBiasModel(Command[R]):
     Parameters of the model by which the accelerometer bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -4218,7 +4246,8 @@ class GyroBiasModel(Command[R]):
     Parameters of the model by which the gyroscope bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -4343,7 +4372,9 @@ class AutoZupt(Command[R]):
     Lets the filter assume that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4542,6 +4573,8 @@ class AutoAngularZupt(Command[R]):
     Lets the filter assume that the device is not rotating while its angular rate is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
@@ -4660,8 +4693,12 @@ class TareOrientation(Command[R]):
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
-    only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
+    Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
+    `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
+    `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`,
+    `save`, `load` and `default` only.
 
     Refused while the filter has no valid attitude.
 
@@ -4755,7 +4792,9 @@ class CommandedZupt(Command[None]):
 
     Tells the filter once that the device is at rest.
 
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
+    3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4783,6 +4822,8 @@ class CommandedAngularZupt(Command[None]):
 
     Tells the filter once that the device is not rotating.
 
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     At most 10 per second.
@@ -4825,7 +4866,8 @@ class ReferencePosition(Command[R]):
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ReferencePositionResponse`. Supported by 3DM-GX5-15.
+    `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
+    `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -4978,8 +5020,9 @@ class MagCaptureAutoCalibration(Command[None]):
 
     Moves what the automatic magnetometer calibration has found into the fixed calibration.
 
-    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
-    Known only from the MicroStrain MIP SDK.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
+    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from
+    the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
     `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
@@ -5037,7 +5080,9 @@ class GravityNoise(Command[R]):
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably changes `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -5144,8 +5189,9 @@ class PressureAltitudeNoise(Command[R]):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
+    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain
+    MIP SDK.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
     changes of height.
@@ -5249,7 +5295,9 @@ class HardIronOffsetNoise(Command[R]):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
+    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -5355,7 +5403,9 @@ class SoftIronMatrixNoise(Command[R]):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -5461,7 +5511,9 @@ class EnableMeasurements(Command[R]):
     Which inertial measurements the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15.
+    `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -5565,8 +5617,10 @@ class MagNoise(Command[R]):
     Standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
-    process noise, although the noise is that of a measurement.
+    Probably changes `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
+    measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -5669,8 +5723,9 @@ class MagneticDeclinationSource(Command[R]):
     Source of the local declination of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -5811,9 +5866,11 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
-    supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -6070,10 +6127,13 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. May be supported by
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector
-    may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: Whether the
+    parameters after the selector may be left out on write, as those of
+    `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     determines the limits. High limits suit high dynamics but do not reject disturbances of the
@@ -6336,8 +6396,10 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -6538,7 +6600,8 @@ class AltitudeAiding(Command[R]):
     What aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
+    by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -6642,7 +6705,9 @@ class PitchRollAiding(Command[R]):
     What aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -6744,8 +6809,9 @@ class MagneticInclinationSource(Command[R]):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Answered by `MagneticInclinationSourceResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -6869,8 +6935,9 @@ class MagneticMagnitudeSource(Command[R]):
     Source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`. Not listed in any device profile.
-    Known only from the MicroStrain MIP SDK.
+    `default`. Answered by `MagneticMagnitudeSourceResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Without a good magnitude source, keep automatic magnetometer calibration off.
     `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
@@ -6994,12 +7061,14 @@ class SensorToVehicleRotationDcm(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`. Not listed in any device profile. Known only from the
+    `SensorToVehicleRotationDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It rotates the
-    scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
-    orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. The device
     refuses a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the
     elements read back may differ slightly from those written.
 
@@ -7107,14 +7176,15 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    `SensorToVehicleRotationQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. It
-    rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter. The device normalizes it, so the elements read back may differ slightly from those
-    written.
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. The
+    device normalizes it, so the elements read back may differ slightly from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -7227,8 +7297,9 @@ class AidingMeasurementEnable(Command[R]):
     Enables or disables one source of aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-AHRS and 3DM-CV7-AR.
+    `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
+    changes filter_data (0x82). Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
+    3DM-CV7-AR.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -7363,9 +7434,11 @@ class KinematicConstraint(Command[R]):
     What the filter may take for granted about the motion, in place of measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. Not listed in any device profile. Known only from the MicroStrain
-    MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
-    values in remarks.
+    `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
+    in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -7523,8 +7596,10 @@ class InitializationConfig(Command[R]):
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS.
+    `default`. Answered by `InitializationConfigResponse`. Changes `filter_data.Status`. Probably
+    changes `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -7807,7 +7882,8 @@ class AdaptiveFilterOptions(Command[R]):
     How the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
+    `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
+    3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -7931,7 +8007,12 @@ class MultiAntennaOffset(Command[R]):
     Position of the antenna of one receiver on devices with several antennas.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
+    `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Flagged by
+    `filter_data.Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -8064,7 +8145,8 @@ class RelativePositionConfig(Command[R]):
     Reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -8215,11 +8297,11 @@ class ReferencePointLeverArm(Command[R]):
     Moves the point to which the position and the velocity of the filter refer.
 
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
+    `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
 
-    It shifts `filter_data.LlhPosition`, `filter_data.NedVelocity`, `filter_data.EcefPosition`,
-    `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`, depending on the attitude and,
-    for velocities, on the angular rate.
+    The shift of positions depends on the attitude, that of velocities on the angular rate as well.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -8413,7 +8495,8 @@ class SpeedLeverArm(Command[R]):
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -8536,8 +8619,9 @@ class VerticalGyroConstraintControl(Command[R]):
     Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    `VerticalGyroConstraintControlResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any device profile. Known
+    only from the MicroStrain MIP SDK.
 
     It assumes that the linear acceleration is zero.
 
@@ -8646,7 +8730,9 @@ class WheeledVehicleConstraintControl(Command[R]):
     Lets the filter assume that the vehicle moves only along its x axis.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
     use it for vehicles that move sideways, such as aircraft.
@@ -8757,8 +8843,10 @@ class GnssAntennaCalibrationControl(Command[R]):
     Lets the filter track the error of the antenna offset.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS.
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Changes
+    `filter_data.MultiAntennaOffsetCorrection`. Probably changes
+    `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -235,33 +235,45 @@ class Gx5StatusFlags(IntFlag):
     RUN_MATRIX_SINGULARITY = 1 << 3
     """A matrix of the computation is singular. Bit 3."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
-    """A position covariance is above its normal limit. Bit 4."""
+    """A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and
+    `LlhPositionUncertainty`.
+    """
     RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
-    """A velocity covariance is above its normal limit. Bit 5."""
+    """A velocity covariance is above its normal limit. Bit 5. Concerns `NedVelocity` and
+    `NedVelocityUncertainty`.
+    """
     RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
-    """An attitude covariance is above its normal limit. Bit 6."""
+    """An attitude covariance is above its normal limit. Bit 6. Concerns `EulerAngles` and
+    `EulerAnglesUncertainty`.
+    """
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution contains values that are not numbers. Bit 7."""
+    """The solution contains values that are not numbers. Bit 7. Concerns `filter.Reset`."""
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
-    """The estimated gyroscope bias is high. Bit 8."""
+    """The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`."""
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
-    """The estimated accelerometer bias is high. Bit 9."""
+    """The estimated accelerometer bias is high. Bit 9. Concerns `AccelBias`."""
     RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
-    """The estimated gyroscope scale factor is high. Bit 10."""
+    """The estimated gyroscope scale factor is high. Bit 10. Concerns `GyroScaleFactor`."""
     RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
-    """The estimated accelerometer scale factor is high. Bit 11."""
+    """The estimated accelerometer scale factor is high. Bit 11. Concerns `AccelScaleFactor`."""
     RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
-    """The estimated magnetometer bias is high. Bit 12."""
+    """The estimated magnetometer bias is high. Bit 12. Concerns `MagBias`."""
     RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
-    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13."""
+    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Concerns
+    `AntennaOffsetCorrection` and `filter.AntennaOffset`.
+    """
     RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
-    """The estimated hard-iron offset is high. Bit 14."""
+    """The estimated hard-iron offset is high. Bit 14. Concerns `MagOffset`."""
     RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
-    """The estimated soft-iron correction is high. Bit 15."""
+    """The estimated soft-iron correction is high. Bit 15. Concerns `MagMatrix`."""
     INIT_NO_ATTITUDE = 1 << 12
-    """The attitude is not initialized. Bit 12. Overlaps other bits."""
+    """The attitude is not initialized. Bit 12. Overlaps other bits. Concerns `AttitudeQuaternion`,
+    `AttitudeDcm` and `EulerAngles`.
+    """
     INIT_NO_POSITION_VELOCITY = 1 << 13
-    """Position and velocity are not initialized. Bit 13. Overlaps other bits."""
+    """Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
+    `LlhPosition` and `NedVelocity`.
+    """
 
 
 class FilterCondition(codec.OpenEnum):
@@ -291,25 +303,44 @@ class Cv7StatusFlags(IntFlag):
     FILTER_CONDITION = 0x3
     """How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`."""
     ROLL_PITCH_WARNING = 1 << 2
-    """Roll and pitch are doubtful; check the mounting transformation. Bit 2."""
+    """Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+    `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
+    """
     HEADING_WARNING = 1 << 3
-    """The heading is doubtful; check the heading source. Bit 3."""
+    """The heading is doubtful; check the heading source. Bit 3. Concerns `AttitudeQuaternion`,
+    `AttitudeDcm` and `EulerAngles`.
+    """
     POSITION_WARNING = 1 << 4
-    """The position is doubtful; check the GNSS reception and antennas. Bit 4."""
+    """The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+    `LlhPosition`, `EcefPosition` and `NedRelativePosition`.
+    """
     VELOCITY_WARNING = 1 << 5
-    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5."""
+    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
+    `NedVelocity` and `EcefVelocity`.
+    """
     IMU_BIAS_WARNING = 1 << 6
-    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
+    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns `AccelBias`,
+    `GyroBias` and `mip_3dm.CaptureGyroBias`.
+    """
     GNSS_CLOCK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation continues. Bit 7."""
+    """The GNSS clock is doubtful; navigation continues. Bit 7. Concerns `Timestamp` and
+    `ClockCorrection`.
+    """
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
-    """The antenna offsets are probably wrong. Bit 8."""
+    """The antenna offsets are probably wrong. Bit 8. Concerns `MultiAntennaOffsetCorrection` and
+    `filter.MultiAntennaOffset`.
+    """
     MOUNTING_TRANSFORM_WARNING = 1 << 9
-    """The mounting transformation is probably wrong. Bit 9."""
+    """The mounting transformation is probably wrong. Bit 9. Concerns
+    `mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformDcm`.
+    """
     TIME_SYNC_WARNING = 1 << 10
-    """No pulse per second is detected, or the time of an external heading is too old. Bit 10."""
+    """No pulse per second is detected, or the time of an external heading is too old. Bit 10.
+    Concerns `mip_3dm.PpsSourceControl`.
+    """
     SOLUTION_ERROR = 0xF000
     """Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to 15.
+    Concerns `filter.Reset`.
     """
 
     @property
@@ -341,7 +372,13 @@ class LlhPosition(Data):
 
     Estimated position.
 
-    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and
+    `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
+    `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
+    `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
+    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -410,7 +447,13 @@ class NedVelocity(Data):
 
     Estimated velocity.
 
-    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -469,7 +512,21 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
 
@@ -520,7 +577,21 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -572,7 +643,22 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -633,7 +719,11 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `filter.EstimationControl`. Probably changed by `filter.GyroBiasModel`,
+    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Flagged by
+    `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -682,7 +772,9 @@ class AccelBias(Data):
 
     Estimated bias of the accelerometer.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `filter.EstimationControl`. Probably changed by `filter.AccelBiasModel`. Flagged by
+    `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -730,7 +822,10 @@ class LlhPositionUncertainty(Data):
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh_uncertainty`. Probably changed by `filter.AccelNoise`,
+    `filter.PressureAltitudeNoise` and `filter.AltitudeAiding`. Flagged by
+    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -794,7 +889,10 @@ class NedVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned_uncertainty`. Probably changed by `filter.AccelNoise`,
+    `filter.AutoZupt` and `filter.CommandedZupt`. Flagged by
+    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -858,7 +956,11 @@ class EulerAnglesUncertainty(Data):
 
     Standard deviation of the estimated Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
+    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
+    `filter.PitchRollAiding`. Flagged by `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of
+    `Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -922,7 +1024,9 @@ class GyroBiasUncertainty(Data):
 
     Standard deviation of the estimated gyroscope bias.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Probably changed by `filter.EstimationControl`, `filter.GyroNoise`, `filter.GyroBiasModel`,
+    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -975,6 +1079,7 @@ class AccelBiasUncertainty(Data):
 
     Standard deviation of the estimated accelerometer bias.
 
+    Probably changed by `filter.EstimationControl`, `filter.AccelNoise` and `filter.AccelBiasModel`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
@@ -1027,7 +1132,11 @@ class LinearAccel(Data):
 
     Compensated acceleration minus the estimated gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1076,7 +1185,11 @@ class CompAngularRate(Data):
 
     Angular rate without the estimated bias.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1125,7 +1238,7 @@ class Wgs84GravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    Also called `wgs84_gravity_mag`. Changed by `filter.ReferencePosition`. Supported by 3DM-GX5-15.
 
     The model is valid up to an altitude of 20 km.
 
@@ -1172,6 +1285,7 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
+    Changed by `filter.Run`, `filter.VehicleDynamicsMode` and `filter.InitializationConfig`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
@@ -1242,7 +1356,8 @@ class Timestamp(Data):
 
     GPS time of the filter data.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `base.GpsTimeUpdate`. Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
@@ -1297,7 +1412,10 @@ class QuaternionAttitudeUncertainty(Data):
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
+    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
+    `filter.PitchRollAiding`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1348,7 +1466,11 @@ class GravityVector(Data):
 
     Estimated gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1399,7 +1521,7 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Changed by `filter.HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1482,7 +1604,7 @@ class MagneticModel(Data):
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `filter.ReferencePosition`. Supported by 3DM-CV7-GNSS/INS.
 
     It is valid only with a valid GNSS position.
 
@@ -1587,7 +1709,9 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Flagged by
+    `Gx5StatusFlags.RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1639,7 +1763,9 @@ class AccelScaleFactor(Data):
 
     Estimated scale factor of the accelerometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Flagged by
+    `Gx5StatusFlags.RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1693,7 +1819,8 @@ class GyroScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1751,7 +1878,8 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -1807,7 +1935,8 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Flagged by `Gx5StatusFlags.RUN_MAG_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1907,7 +2036,11 @@ class CompAccel(Data):
 
     Acceleration without the estimated bias; it includes gravity.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler` and
+    `filter.TareOrientation`. Probably changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -2166,8 +2299,10 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Also called `magnetometer_offset`. Changed by `filter.EstimationControl` and
+    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.HardIronOffsetNoise`. Flagged by
+    `Gx5StatusFlags.RUN_MAG_HARD_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2217,8 +2352,10 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Also called `magnetometer_matrix`. Changed by `filter.EstimationControl` and
+    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.SoftIronMatrixNoise`. Flagged by
+    `Gx5StatusFlags.RUN_MAG_SOFT_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2268,8 +2405,9 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Also called `magnetometer_offset_uncertainty`. Probably changed by `filter.EstimationControl`
+    and `filter.HardIronOffsetNoise`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -2322,8 +2460,9 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Also called `magnetometer_matrix_uncertainty`. Probably changed by `filter.EstimationControl`
+    and `filter.SoftIronMatrixNoise`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -2482,7 +2621,9 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Probably changed by `filter.AntennaOffset`. Flagged by
+    `Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed
+    in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2536,7 +2677,8 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
@@ -2588,7 +2730,8 @@ class ClockCorrection(Data):
 
     Estimated clock error of one GNSS receiver.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
@@ -2723,7 +2866,9 @@ class MultiAntennaOffsetCorrection(Data):
 
     Estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `filter.GnssAntennaCalibrationControl`. Probably changed by
+    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     The filter adds it to the stored offset.
 
@@ -2787,7 +2932,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changed by `filter.GnssAntennaCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -2852,7 +2997,8 @@ class EcefPositionUncertainty(Data):
 
     Standard deviation of the estimated position.
 
-    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos_uncertainty`. Probably changed by `filter.AccelNoise`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2904,7 +3050,8 @@ class EcefVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt`
+    and `filter.CommandedZupt`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -2956,7 +3103,10 @@ class EcefPosition(Data):
 
     Estimated position.
 
-    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.InitializationConfig` and
+    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -3006,7 +3156,11 @@ class EcefVelocity(Data):
 
     Estimated velocity.
 
-    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -3056,7 +3210,9 @@ class NedRelativePosition(Data):
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_ned`. Changed by `filter.RelativePositionConfig` and
+    `filter.ReferencePointLeverArm`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -3110,7 +3266,8 @@ class GnssPositionAidingStatus(Data):
 
     How the filter uses the position measurements of one GNSS receiver.
 
-    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3298,7 +3455,7 @@ class AidingMeasurementSummary(Data):
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3364,7 +3521,7 @@ class OdometerScaleFactorError(Data):
 
     Estimated relative error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changed by `filter.SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -3464,7 +3621,7 @@ class GnssDualAntennaStatus(Data):
 
     Heading that two GNSS antennas give.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changed by `filter.MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3561,7 +3718,7 @@ class AidingFrameConfigError(Data):
 
     Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -3626,7 +3783,7 @@ class AidingFrameConfigErrorUncertainty(Data):
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """

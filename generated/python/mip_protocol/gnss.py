@@ -574,7 +574,8 @@ class SignalConfig(Command[R]):
     GNSS signals that the device uses.
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
+    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
@@ -810,9 +811,10 @@ class RtkConfig(Command[R]):
     Sets how readily the device fixes the ambiguities of an RTK solution.
 
     Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RtkConfigResponse`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report
-    it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+    Answered by `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and
+    `gnss_data.LlhPosition`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as
+    experimental on the 3DM-GQ7, which accepts `conservative` only.
 
     The available modes differ by device.
 
@@ -933,8 +935,9 @@ class RtkDongleConfig(Command[R]):
     Switches the communication with a connected RTK dongle on or off.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    `default`. Answered by `RtkDongleConfigResponse`. Probably changes
+    `gnss_data.RtkCorrectionsStatus`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -1064,9 +1067,9 @@ class SpartnConfig(Command[R]):
     Source and keys of SPARTN corrections.
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
-    accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
-    the command has "bc" for 0xBC.
+    Answered by `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported
+    by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
+    UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
 
     A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
     time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,

@@ -726,7 +726,8 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
+    `mip_3dm.GpsDynamicsMode` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS. May be supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
@@ -932,8 +933,9 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS. May be
-    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
+    `mip_3dm.GpsDynamicsMode`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -1447,8 +1449,9 @@ class FixInfo(Shared, Data):
     Type of the position fix and what it is based on.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. May be
-    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
+    `gnss.SignalConfig` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    May be supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1525,9 +1528,9 @@ class SvInfo(Shared, Data):
     One satellite that is tracked.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
-    Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields
-    or several.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`.
+    Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35. Known only from the MicroStrain MIP
+    SDK. Uncertain: Whether a packet holds one of these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -2159,7 +2162,8 @@ class SbasInfo(Shared, Data):
     Status of the satellite based augmentation.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2279,8 +2283,8 @@ class SbasCorrection(Shared, Data):
     SBAS correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
     `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -2624,8 +2628,8 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
-    3DM-CV7-INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings` and
+    `gnss.SignalConfig`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2804,7 +2808,8 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.SignalConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -3198,7 +3203,8 @@ class RtkCorrectionsStatus(Shared, Data):
     Which corrections are received, and how old they are.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
+    `gnss.SpartnConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)

@@ -5909,7 +5909,8 @@ class ConstellationSettings(Command[R]):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
+    `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
+    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
     3DM-GX5-45. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but
     gives channels for SBAS and QZSS too.
 
@@ -6054,7 +6055,8 @@ class GnssSbasSettings(Command[R]):
     How the GNSS receivers use satellite based augmentation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
+    `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
+    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
     supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
@@ -6462,8 +6464,10 @@ class PpsSourceControl(Command[R]):
     Where the device takes its pulse per second from.
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
-    3DM-CV7-AR.
+    `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
+    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Flagged by
+    `filter_data.Cv7StatusFlags.TIME_SYNC_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
 
     The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
     and `generated` are rarely useful.
@@ -7264,16 +7268,21 @@ class SensorToVehicleTransformEuler(Command[R]):
     Mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS.
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Flagged by
+    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
     transformation; the value read back may be another form of it. Starting in line with the vehicle
     frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this
-    order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data,
-    the complementary filter and the attitude, acceleration, rate and gravity of the filter. Every
-    change makes both attitude filters, complementary and estimation, and all low-pass filters start
-    anew. On some older devices the setting is the inverse rotation.
+    order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change resets the
+    complementary filter, the estimation filter and all low-pass filters. On some older devices the
+    setting is the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -7410,16 +7419,19 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     Mounting of the sensor in the vehicle as a quaternion.
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
+    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Changes
+    `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
+    `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
+    `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and
+    `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Supported by
     3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. The transformation applies to the scaled
-    acceleration, angular rate and magnetic field, delta theta and delta velocity, and to the
-    attitude, linear acceleration, angular rate and gravity vector of the filter. Every change makes
-    both attitude filters, complementary and estimation, and all low-pass filters start anew.
+    `filter.SensorToVehicleRotationQuaternion` takes. Every change resets the complementary filter,
+    the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -7531,15 +7543,19 @@ class SensorToVehicleTransformDcm(Command[R]):
     Mounting of the sensor in the vehicle as a direction cosine matrix.
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Flagged by
+    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. The
-    transformation applies to the scaled acceleration, angular rate and magnetic field, delta theta
-    and delta velocity, and to the attitude, linear acceleration, angular rate and gravity vector of
-    the filter. Every change makes both attitude filters, complementary and estimation, and all
-    low-pass filters start anew.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
+    resets the complementary filter, the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -7647,9 +7663,9 @@ class GpsDynamicsMode(Command[R]):
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
-    May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
-    Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
-    for the 3DM-GX3-35 only.
+    Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. May be supported by
+    3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
     - mscl: GPS Dynamics Mode (0x0C,0x34)
@@ -7763,11 +7779,14 @@ class ImuSignalConditioning(Command[R]):
     Configures the filters and the orientation algorithm of 3-series devices.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
-    flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
-    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
-    Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+    `ImuSignalConditioningResponse`. Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
+    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. May be supported by 3DM-GX3-35. Known only
+    from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
+    defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
+    which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
+    response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -8130,9 +8149,10 @@ class AccelBias(Command[R]):
     Bias that is subtracted from the scaled acceleration.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
-    `write`, `read`, `save`, `load` and `default` only.
+    `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
+    `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -8248,11 +8268,11 @@ class GyroBias(Command[R]):
     Bias that is subtracted from the scaled angular rate.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `GyroBiasResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
-    the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
-    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`,
-    `save`, `load` and `default` only.
+    `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`. Supported
+    by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
+    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -8361,7 +8381,9 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
-    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
+    Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
+    `sensor.DeltaTheta`. Flagged by `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of
+    `filter_data.Cv7StatusFlags`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
@@ -8414,11 +8436,11 @@ class MagHardIronOffset(Command[R]):
     Offset that corrects the scaled magnetic field for hard iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -8540,11 +8562,11 @@ class MagSoftIronMatrix(Command[R]):
     Matrix that corrects the scaled magnetic field for soft iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
-    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the
+    3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -8664,8 +8686,9 @@ class ConingScullingEnable(Command[R]):
     Switches the compensation of coning and sculling on or off.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConingScullingEnableResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
+    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -8879,8 +8902,8 @@ class GpioConfig(Command[R]):
     What a GPIO pin is used for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
-    Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    3DM-GQ7-GNSS/INS.
+    Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
+    3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
     Not every pin has every feature. For an output with another feature than gpio, set up what
     drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
@@ -9042,7 +9065,8 @@ class GpioState(Command[R]):
 
     Sets or reads the state of a GPIO pin.
 
-    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
@@ -9149,7 +9173,7 @@ class OdometerConfig(Command[R]):
     Input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -9291,12 +9315,13 @@ class ImuLowPassFilter(Command[R]):
     Low-pass filter of one quantity of the sensor data.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
-    `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated
-    on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
-    `LowPassFilter` instead.
+    and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the
+    3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
+    instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the
+    3DM-GQ7-GNSS/INS: use `LowPassFilter` instead.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -9489,9 +9514,10 @@ class ComplementaryFilter(Command[R]):
     estimation filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-GX5-10 and 3DM-GX5-45.
+    `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
+    and `sensor.CompEulerAngles`. Probably changes `sensor.NorthVector` and `sensor.UpVector`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by
+    3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15, 3DM-GX5-10 and 3DM-GX5-45.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device refuses time constants
@@ -9682,6 +9708,7 @@ class SensorRange(Command[R]):
     Measuring range of a sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
     Supported by 3DM-CV7-GNSS/INS.
 
     `GetCalibratedSensorRanges` lists the settings. The device may refuse other settings, or measure
@@ -9856,8 +9883,10 @@ class LowPassFilter(Command[R]):
     Low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
+    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Supported by 3DM-CV7-GNSS/INS. May
+    be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.

@@ -20,25 +20,25 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """Accelerometer X axis. Bit 0."""
+    """Accelerometer X axis. Bit 0. Concerns `ScaledAccel`."""
     ACCEL_Y = 1 << 1
-    """Accelerometer Y axis. Bit 1."""
+    """Accelerometer Y axis. Bit 1. Concerns `ScaledAccel`."""
     ACCEL_Z = 1 << 2
-    """Accelerometer Z axis. Bit 2."""
+    """Accelerometer Z axis. Bit 2. Concerns `ScaledAccel`."""
     GYRO_X = 1 << 4
-    """Gyroscope X axis. Bit 4."""
+    """Gyroscope X axis. Bit 4. Concerns `ScaledGyro`."""
     GYRO_Y = 1 << 5
-    """Gyroscope Y axis. Bit 5."""
+    """Gyroscope Y axis. Bit 5. Concerns `ScaledGyro`."""
     GYRO_Z = 1 << 6
-    """Gyroscope Z axis. Bit 6."""
+    """Gyroscope Z axis. Bit 6. Concerns `ScaledGyro`."""
     MAG_X = 1 << 8
-    """Magnetometer X axis. Bit 8."""
+    """Magnetometer X axis. Bit 8. Concerns `ScaledMag`."""
     MAG_Y = 1 << 9
-    """Magnetometer Y axis. Bit 9."""
+    """Magnetometer Y axis. Bit 9. Concerns `ScaledMag`."""
     MAG_Z = 1 << 10
-    """Magnetometer Z axis. Bit 10."""
+    """Magnetometer Z axis. Bit 10. Concerns `ScaledMag`."""
     PRESSURE = 1 << 12
-    """Pressure sensor. Bit 12."""
+    """Pressure sensor. Bit 12. Concerns `ScaledPressure`."""
 
 
 @codec.open_flag(16)
@@ -189,6 +189,19 @@ class ScaledAccel(Data):
 
     Measured acceleration, temperature compensated.
 
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.AccelBias`, `mip_3dm.ImuLowPassFilter`, `mip_3dm.LowPassFilter`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `mip_3dm.ImuSignalConditioning` and `mip_3dm.SensorRange`. Flagged by
+    `types.Cv7BuiltInTest.ACCEL_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Cv7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
+    `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
@@ -232,7 +245,20 @@ class ScaledGyro(Data):
 
     Measured angular rate, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias`, `mip_3dm.ImuLowPassFilter`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `mip_3dm.ImuSignalConditioning` and `mip_3dm.SensorRange`. Flagged by
+    `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and
+    `OverrangeFlags.GYRO_Z` of `OverrangeFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -275,7 +301,21 @@ class ScaledMag(Data):
 
     Measured magnetic field, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.MagHardIronOffset`, `mip_3dm.MagSoftIronMatrix`, `mip_3dm.ImuLowPassFilter`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.MagCaptureAutoCalibration`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.ImuSignalConditioning`.
+    Flagged by `types.Gx5BuiltInTest.MAG_FAULT` of `types.Gx5BuiltInTest`,
+    `types.Cv7BuiltInTest.MAG_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of `OverrangeFlags` and
+    `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and
+    3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -317,7 +357,13 @@ class DeltaTheta(Data):
 
     Time integral of the angular rate over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `mip_3dm.ImuSignalConditioning`, `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias` and
+    `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be
+    supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -360,7 +406,13 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `mip_3dm.ImuSignalConditioning`, `mip_3dm.AccelBias` and
+    `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported
+    by 3DM-GX5-35 and 3DM-GX5-45.
 
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
 
@@ -405,7 +457,10 @@ class CompOrientationMatrix(Data):
 
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
+    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -455,7 +510,10 @@ class CompQuaternion(Data):
 
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
+    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -550,7 +608,10 @@ class CompEulerAngles(Data):
 
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
+    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -809,7 +870,8 @@ class NorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15. May be supported by
+    3DM-GX5-35 and 3DM-GX5-45.
 
     Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
     sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
@@ -855,7 +917,8 @@ class UpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15 and 3DM-GX5-35. May
+    be supported by 3DM-GX5-45.
 
     At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
     a sensor-to-vehicle transformation changes.
@@ -902,7 +965,8 @@ class GpsTimestamp(Data):
 
     GPS time of the sensor data.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
     of the time of week is the time since the last pulse. Without external synchronization it is the
@@ -1078,7 +1142,15 @@ class ScaledPressure(Data):
 
     Measured ambient pressure, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    Changed by `mip_3dm.ImuLowPassFilter` and `mip_3dm.LowPassFilter`. Flagged by
+    `types.Gx5BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Gx5BuiltInTest`,
+    `types.Cv7BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Cv7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1120,7 +1192,7 @@ class OverrangeStatus(Data):
 
     Which sensor axes are near or outside their range.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Probably changed by `mip_3dm.SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -1161,7 +1233,7 @@ class Odometer(Data):
 
     Speed measured by the wheel encoder.
 
-    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_data`. Changed by `mip_3dm.OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """

@@ -183,7 +183,8 @@ class GpsTimestamp(Shared, Data):
 
     External time of the data as GPS time of week and week number.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -377,7 +378,8 @@ class ExternalTimestamp(Shared, Data):
 
     Time of the data in the external clock domain.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is that of the time

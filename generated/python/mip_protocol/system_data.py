@@ -86,7 +86,7 @@ class TimeSyncStatus(Data):
 
     Whether the device time is locked to the pulse per second.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `mip_3dm.PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -131,7 +131,8 @@ class GpioState(Data):
 
     Levels of all user GPIO pins.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Changed by `mip_3dm.GpioState`. Probably changed by `mip_3dm.GpioConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that
@@ -177,7 +178,8 @@ class GpioAnalogValue(Data):
 
     Voltage at one GPIO pin.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `mip_3dm.GpioConfig`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     Only for pins that are configured as analog inputs.
 

@@ -2249,9 +2249,10 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The
- * factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and
- * QZSS too.
+ * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
+ * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels
+ * for SBAS and QZSS too.
  *
  * The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
  * must not be less than the number of channels it reserves.
@@ -2409,7 +2410,8 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2876,7 +2878,10 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Where the device takes its pulse per second from.
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_pps_source_control_response. Changes mip_system_data_time_sync_status. Probably changes
+ * mip_shared_gps_timestamp, mip_shared_external_timestamp and mip_sensor_gps_timestamp. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured separately, by mip_3dm_gpio_config.
  *
@@ -4007,8 +4012,14 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * Full name: 3dm.sensor_to_vehicle_transform_euler.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_euler_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING of mip_filter_data_cv7_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_quaternion and mip_3dm_sensor_to_vehicle_dcm set the same
  * transformation; the value read back may be another form of it.
@@ -4018,11 +4029,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
  *
- * It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
- * gravity of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * On some older devices the setting is the inverse rotation.
  *
@@ -4190,7 +4197,12 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * Full name: 3dm.sensor_to_vehicle_transform_quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
+ * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Changes
+ * mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta,
+ * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
+ * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * mip_filter_data_euler_angles, mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_dcm set the same transformation;
@@ -4199,12 +4211,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
- * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
- * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
- * vector of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -4368,7 +4375,14 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * Full name: 3dm.sensor_to_vehicle_transform_dcm.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING of mip_filter_data_cv7_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_quaternion set the same
  * transformation; the value read back may be another form of it.
@@ -4376,12 +4390,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
  *
- * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
- * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
- * vector of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -4539,9 +4548,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_gps_dynamics_mode_response. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
- * for the 3DM-GX3-35 only.
+ * mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
+ * mip_gnss_data_ned_velocity. Known only from the MIP SDK of 2014 and MicroStrain Communication
+ * Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  * - mscl: GPS Dynamics Mode (0x0C,0x34)
@@ -4688,11 +4698,14 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_imu_signal_conditioning_response. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
- * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
- * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
- * device sends `reserved` in the response. MSCL reads it without.
+ * mip_3dm_imu_signal_conditioning_response. Probably changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
+ * Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges,
+ * the defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
+ * which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
+ * example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
+ * response. MSCL reads it without.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
  * width.
@@ -5067,7 +5080,8 @@ static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
+ * mip_sensor_delta_velocity. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
  * only.
  *
@@ -5237,7 +5251,8 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * mip_sensor_delta_theta. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and
  * default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
  * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
@@ -5407,9 +5422,11 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * mip_sensor_delta_theta. Flagged by MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of
+ * mip_filter_data_cv7_status_flags. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *
@@ -5492,10 +5509,10 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * Offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
- * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_hard_iron_offset_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5671,10 +5688,10 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
- * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_soft_iron_matrix_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5853,8 +5870,8 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  * Switches the compensation of coning and sculling on or off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * mip_3dm_coning_sculling_enable_response. Probably changes mip_sensor_delta_theta and
+ * mip_sensor_delta_velocity. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -6157,7 +6174,8 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -6383,8 +6401,8 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Changes
+ * mip_system_data_gpio_state. Supported by 3DM-CV7-GNSS/INS.
  *
  * A read returns the level of the pin itself.
  *
@@ -6530,7 +6548,7 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  * Input from a wheel encoder.
  *
  * Also called `odometer`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_odometer_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_odometer_config_response. Changes mip_sensor_odometer. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -6702,11 +6720,12 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  * Low-pass filter of one quantity of the sensor data.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use
- * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter
- * instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on
- * the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
+ * default. Answered by mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the
+ * 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use
+ * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter
+ * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -6939,8 +6958,10 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  * estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35.
+ * mip_3dm_complementary_filter_response. Changes mip_sensor_comp_orientation_matrix,
+ * mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles. Probably changes
+ * mip_sensor_north_vector and mip_sensor_up_vector. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
  *
@@ -7140,6 +7161,7 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * Measuring range of a sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
+ * Probably changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may refuse other settings, or
@@ -7436,7 +7458,10 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
+ * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
+ * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.

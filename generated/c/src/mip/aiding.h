@@ -109,7 +109,9 @@ union mip_aiding_frame_config_rotation {
  * Where and how an external sensor is mounted on the vehicle.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Changes mip_filter_data_aiding_frame_config_error. Probably changes
+ * mip_filter_data_aiding_frame_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS.
  *
  * Aiding measurements name the frame by its number.
  *

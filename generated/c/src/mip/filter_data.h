@@ -231,56 +231,78 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
  * Bit 4. A position covariance is above its normal limit. Full name:
- * run_position_covariance_warning.
+ * run_position_covariance_warning. Concerns mip_filter_data_llh_position and
+ * mip_filter_data_llh_position_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
 /**
  * Bit 5. A velocity covariance is above its normal limit. Full name:
- * run_velocity_covariance_warning.
+ * run_velocity_covariance_warning. Concerns mip_filter_data_ned_velocity and
+ * mip_filter_data_ned_velocity_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
 /**
  * Bit 6. An attitude covariance is above its normal limit. Full name:
- * run_attitude_covariance_warning.
+ * run_attitude_covariance_warning. Concerns mip_filter_data_euler_angles and
+ * mip_filter_data_euler_angles_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
 /**
  * Bit 7. The solution contains values that are not numbers. Full name: run_nan_in_solution_warning.
+ * Concerns mip_filter_reset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. */
+/**
+ * Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. Concerns
+ * mip_filter_data_gyro_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning. */
+/**
+ * Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning.
+ * Concerns mip_filter_data_accel_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
 /**
  * Bit 10. The estimated gyroscope scale factor is high. Full name:
- * run_gyro_scale_factor_est_high_warning.
+ * run_gyro_scale_factor_est_high_warning. Concerns mip_filter_data_gyro_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
 /**
  * Bit 11. The estimated accelerometer scale factor is high. Full name:
- * run_accel_scale_factor_est_high_warning.
+ * run_accel_scale_factor_est_high_warning. Concerns mip_filter_data_accel_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning. */
+/**
+ * Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning.
+ * Concerns mip_filter_data_mag_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
 /**
  * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Full name:
- * run_antenna_offset_correction_est_high_warning.
+ * run_antenna_offset_correction_est_high_warning. Concerns
+ * mip_filter_data_antenna_offset_correction and mip_filter_antenna_offset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
 /**
  * Bit 14. The estimated hard-iron offset is high. Full name: run_mag_hard_iron_est_high_warning.
+ * Concerns mip_filter_data_mag_offset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
 /**
  * Bit 15. The estimated soft-iron correction is high. Full name:
- * run_mag_soft_iron_est_high_warning.
+ * run_mag_soft_iron_est_high_warning. Concerns mip_filter_data_mag_matrix.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
-/** Bit 12. The attitude is not initialized. Overlaps other bits. */
+/**
+ * Bit 12. The attitude is not initialized. Overlaps other bits. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
-/** Bit 13. Position and velocity are not initialized. Overlaps other bits. */
+/**
+ * Bit 13. Position and velocity are not initialized. Overlaps other bits. Concerns
+ * mip_filter_data_llh_position and mip_filter_data_ned_velocity.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 /**
  * How settled the estimates of the filter are.
@@ -309,25 +331,58 @@ MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
-/** Bit 2. Roll and pitch are doubtful; check the mounting transformation. */
+/**
+ * Bit 2. Roll and pitch are doubtful; check the mounting transformation. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
-/** Bit 3. The heading is doubtful; check the heading source. */
+/**
+ * Bit 3. The heading is doubtful; check the heading source. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING 0x0008U
-/** Bit 4. The position is doubtful; check the GNSS reception and antennas. */
+/**
+ * Bit 4. The position is doubtful; check the GNSS reception and antennas. Concerns
+ * mip_filter_data_llh_position, mip_filter_data_ecef_position and
+ * mip_filter_data_ned_relative_position.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING 0x0010U
-/** Bit 5. The velocity is doubtful; check the GNSS reception and antennas. */
+/**
+ * Bit 5. The velocity is doubtful; check the GNSS reception and antennas. Concerns
+ * mip_filter_data_ned_velocity and mip_filter_data_ecef_velocity.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
-/** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
+/**
+ * Bit 6. The sensor biases are doubtful; capture the gyroscope bias. Concerns
+ * mip_filter_data_accel_bias, mip_filter_data_gyro_bias and mip_3dm_capture_gyro_bias.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
-/** Bit 7. The GNSS clock is doubtful; navigation continues. */
+/**
+ * Bit 7. The GNSS clock is doubtful; navigation continues. Concerns mip_filter_data_timestamp and
+ * mip_filter_data_clock_correction.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
-/** Bit 8. The antenna offsets are probably wrong. */
+/**
+ * Bit 8. The antenna offsets are probably wrong. Concerns
+ * mip_filter_data_multi_antenna_offset_correction and mip_filter_multi_antenna_offset.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
-/** Bit 9. The mounting transformation is probably wrong. */
+/**
+ * Bit 9. The mounting transformation is probably wrong. Concerns mip_3dm_sensor_to_vehicle_euler
+ * and mip_3dm_sensor_to_vehicle_dcm.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
-/** Bit 10. No pulse per second is detected, or the time of an external heading is too old. */
+/**
+ * Bit 10. No pulse per second is detected, or the time of an external heading is too old. Concerns
+ * mip_3dm_pps_source_control.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
-/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
+/**
+ * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
+ * Concerns mip_filter_reset.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
@@ -344,7 +399,10 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
+/**
+ * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
+ * Concerns mip_filter_reset.
+ */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
@@ -363,7 +421,14 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  *
  * Estimated position.
  *
- * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh`. Changed by mip_filter_sensor_to_vehicle_offset and
+ * mip_filter_reference_point_lever_arm. Probably changed by mip_filter_antenna_offset,
+ * mip_filter_gnss_source, mip_filter_pressure_altitude_noise, mip_filter_altitude_aiding,
+ * mip_filter_initialization_config and mip_filter_multi_antenna_offset. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY of mip_filter_data_gx5_status_flags
+ * and MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING of mip_filter_data_cv7_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -447,7 +512,15 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
  *
  * Estimated velocity.
  *
- * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned`. Changed by mip_filter_reference_point_lever_arm. Probably changed by
+ * mip_filter_antenna_offset, mip_filter_gnss_source, mip_filter_auto_zupt,
+ * mip_filter_commanded_zupt, mip_filter_kinematic_constraint, mip_filter_initialization_config,
+ * mip_filter_multi_antenna_offset, mip_filter_speed_lever_arm and
+ * mip_filter_wheeled_vehicle_constraint. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY of mip_filter_data_gx5_status_flags
+ * and MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING of mip_filter_data_cv7_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -530,7 +603,22 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_set_initial_attitude, mip_filter_set_initial_heading,
+ * mip_filter_set_initial_attitude_from_imu, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_filter_heading_source,
+ * mip_filter_auto_angular_zupt, mip_filter_commanded_angular_zupt, mip_filter_enable_measurements,
+ * mip_filter_magnetic_declination_source, mip_filter_accel_magnitude_adaptive,
+ * mip_filter_mag_magnitude_adaptive, mip_filter_mag_dip_angle_adaptive,
+ * mip_filter_pitch_roll_aiding, mip_filter_magnetic_inclination_source,
+ * mip_filter_magnetic_magnitude_source, mip_filter_kinematic_constraint,
+ * mip_filter_initialization_config, mip_filter_multi_antenna_offset,
+ * mip_filter_vertical_gyro_constraint and mip_filter_wheeled_vehicle_constraint. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING of mip_filter_data_cv7_status_flags and
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
  *
@@ -606,7 +694,22 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_set_initial_attitude, mip_filter_set_initial_heading,
+ * mip_filter_set_initial_attitude_from_imu, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_filter_heading_source,
+ * mip_filter_auto_angular_zupt, mip_filter_commanded_angular_zupt, mip_filter_enable_measurements,
+ * mip_filter_magnetic_declination_source, mip_filter_accel_magnitude_adaptive,
+ * mip_filter_mag_magnitude_adaptive, mip_filter_mag_dip_angle_adaptive,
+ * mip_filter_pitch_roll_aiding, mip_filter_magnetic_inclination_source,
+ * mip_filter_magnetic_magnitude_source, mip_filter_kinematic_constraint,
+ * mip_filter_initialization_config, mip_filter_multi_antenna_offset,
+ * mip_filter_vertical_gyro_constraint and mip_filter_wheeled_vehicle_constraint. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING of mip_filter_data_cv7_status_flags and
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
@@ -682,7 +785,23 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_set_initial_attitude, mip_filter_set_initial_heading,
+ * mip_filter_set_initial_attitude_from_imu, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_filter_heading_source,
+ * mip_filter_auto_angular_zupt, mip_filter_commanded_angular_zupt, mip_filter_enable_measurements,
+ * mip_filter_magnetic_declination_source, mip_filter_accel_magnitude_adaptive,
+ * mip_filter_mag_magnitude_adaptive, mip_filter_mag_dip_angle_adaptive,
+ * mip_filter_pitch_roll_aiding, mip_filter_magnetic_inclination_source,
+ * mip_filter_magnetic_magnitude_source, mip_filter_kinematic_constraint,
+ * mip_filter_initialization_config, mip_filter_multi_antenna_offset,
+ * mip_filter_vertical_gyro_constraint and mip_filter_wheeled_vehicle_constraint. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE of mip_filter_data_gx5_status_flags,
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING of mip_filter_data_cv7_status_flags and
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -767,7 +886,11 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
  *
  * Estimated bias of the gyroscope.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_filter_estimation_control. Probably changed by mip_filter_gyro_bias_model,
+ * mip_filter_auto_angular_zupt and mip_filter_commanded_angular_zupt. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH of mip_filter_data_gx5_status_flags and
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -841,7 +964,10 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
  *
  * Estimated bias of the accelerometer.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_filter_estimation_control. Probably changed by mip_filter_accel_bias_model.
+ * Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH of
+ * mip_filter_data_gx5_status_flags and MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of
+ * mip_filter_data_cv7_status_flags. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
  */
@@ -914,7 +1040,10 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh_uncertainty`. Probably changed by mip_filter_accel_noise,
+ * mip_filter_pressure_altitude_noise and mip_filter_altitude_aiding. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE of mip_filter_data_gx5_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -997,7 +1126,10 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`. Probably changed by mip_filter_accel_noise,
+ * mip_filter_auto_zupt and mip_filter_commanded_zupt. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE of mip_filter_data_gx5_status_flags.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -1080,7 +1212,11 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Probably changed by mip_filter_gyro_noise, mip_filter_gravity_noise,
+ * mip_filter_enable_measurements, mip_filter_mag_noise, mip_filter_accel_magnitude_adaptive,
+ * mip_filter_mag_magnitude_adaptive, mip_filter_mag_dip_angle_adaptive and
+ * mip_filter_pitch_roll_aiding. Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE
+ * of mip_filter_data_gx5_status_flags. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
  * degrees of pitch up or down.
@@ -1167,6 +1303,8 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated gyroscope bias.
  *
+ * Probably changed by mip_filter_estimation_control, mip_filter_gyro_noise,
+ * mip_filter_gyro_bias_model, mip_filter_auto_angular_zupt and mip_filter_commanded_angular_zupt.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
@@ -1241,7 +1379,8 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated accelerometer bias.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_filter_estimation_control, mip_filter_accel_noise and
+ * mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
  */
@@ -1314,7 +1453,10 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
  *
  * Compensated acceleration minus the estimated gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1388,7 +1530,11 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
  *
  * Angular rate without the estimated bias.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1462,7 +1608,8 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
  *
  * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
- * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+ * Also called `wgs84_gravity_mag`. Changed by mip_filter_reference_position. Supported by
+ * 3DM-GX5-15.
  *
  * The model is valid up to an altitude of 20 km.
  *
@@ -1533,6 +1680,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
+ * Changed by mip_filter_run, mip_filter_vehicle_dynamics_mode and mip_filter_initialization_config.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The meaning of all three values depends on the device.
@@ -1622,6 +1770,8 @@ static inline mip_error mip_filter_data_status_encode_inline(
  *
  * GPS time of the filter data.
  *
+ * Changed by mip_base_gps_time_update. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING of mip_filter_data_cv7_status_flags.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
@@ -1704,7 +1854,10 @@ static inline mip_error mip_filter_data_timestamp_encode_inline(
  *
  * Standard deviation of the elements of the estimated attitude quaternion.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Probably changed by mip_filter_gyro_noise, mip_filter_gravity_noise,
+ * mip_filter_enable_measurements, mip_filter_mag_noise, mip_filter_accel_magnitude_adaptive,
+ * mip_filter_mag_magnitude_adaptive, mip_filter_mag_dip_angle_adaptive and
+ * mip_filter_pitch_roll_aiding. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
  * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1781,7 +1934,10 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
  *
  * Estimated gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1855,7 +2011,7 @@ static inline mip_error mip_filter_data_gravity_vector_encode_inline(
  *
  * The last heading that updated the filter and where it came from.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Changed by mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
  *
@@ -1940,7 +2096,7 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
  *
  * Magnetic field at the position of the device according to the World Magnetic Model.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_filter_reference_position. Supported by 3DM-CV7-GNSS/INS.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -2033,6 +2189,8 @@ static inline mip_error mip_filter_data_magnetic_model_encode_inline(
  *
  * Estimated scale factor of the gyroscope.
  *
+ * Changed by mip_filter_estimation_control. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH of mip_filter_data_gx5_status_flags.
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
@@ -2106,6 +2264,8 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
  *
  * Estimated scale factor of the accelerometer.
  *
+ * Changed by mip_filter_estimation_control. Flagged by
+ * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH of mip_filter_data_gx5_status_flags.
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
@@ -2179,7 +2339,8 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Probably changed by mip_filter_estimation_control. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
@@ -2255,7 +2416,8 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Probably changed by mip_filter_estimation_control. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -2331,7 +2493,9 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_in
  *
  * Estimated bias of the magnetometer.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH of
+ * mip_filter_data_gx5_status_flags. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -2477,7 +2641,11 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
  *
  * Acceleration without the estimated bias; it includes gravity.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler and
+ * mip_filter_tare_orientation. Probably changed by mip_3dm_sensor_to_vehicle_euler,
+ * mip_3dm_sensor_to_vehicle_quaternion, mip_3dm_sensor_to_vehicle_dcm,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -2782,7 +2950,10 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+ * Also called `magnetometer_offset`. Changed by mip_filter_estimation_control and
+ * mip_filter_mag_capture_auto_calibration. Probably changed by mip_filter_hard_iron_offset_noise.
+ * Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH of
+ * mip_filter_data_gx5_status_flags. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
@@ -2858,7 +3029,10 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+ * Also called `magnetometer_matrix`. Changed by mip_filter_estimation_control and
+ * mip_filter_mag_capture_auto_calibration. Probably changed by mip_filter_soft_iron_matrix_noise.
+ * Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH of
+ * mip_filter_data_gx5_status_flags. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
@@ -2934,8 +3108,9 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Also called `magnetometer_offset_uncertainty`. Probably changed by mip_filter_estimation_control
+ * and mip_filter_hard_iron_offset_noise. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
@@ -3008,8 +3183,9 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Also called `magnetometer_matrix_uncertainty`. Probably changed by mip_filter_estimation_control
+ * and mip_filter_soft_iron_matrix_noise. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -3231,6 +3407,8 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
  *
  * Estimated error of the offset of the GNSS antenna.
  *
+ * Changed by mip_filter_estimation_control. Probably changed by mip_filter_antenna_offset. Flagged
+ * by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH of mip_filter_data_gx5_status_flags.
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_filter_antenna_offset.
@@ -3308,7 +3486,8 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  *
  * Full name: filter_data.antenna_offset_correction_uncertainty.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Probably changed by mip_filter_estimation_control. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
  */
@@ -3382,7 +3561,9 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline
  *
  * Estimated clock error of one GNSS receiver.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Flagged by MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING of
+ * mip_filter_data_cv7_status_flags. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock Correction (0x82,0x32)
  */
@@ -3541,6 +3722,9 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inli
  *
  * Estimated error of the offset of one GNSS antenna.
  *
+ * Changed by mip_filter_gnss_antenna_calibration. Probably changed by
+ * mip_filter_multi_antenna_offset. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING of mip_filter_data_cv7_status_flags.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The filter adds it to the stored offset.
@@ -3625,7 +3809,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
  *
  * Full name: filter_data.multi_antenna_offset_correction_uncertainty.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_filter_gnss_antenna_calibration. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
@@ -3705,7 +3889,8 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
  *
  * Standard deviation of the estimated position.
  *
- * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`. Probably changed by mip_filter_accel_noise. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -3778,7 +3963,8 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated velocity.
  *
- * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`. Probably changed by mip_filter_accel_noise,
+ * mip_filter_auto_zupt and mip_filter_commanded_zupt. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -3851,7 +4037,10 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
  *
  * Estimated position.
  *
- * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos`. Changed by mip_filter_reference_point_lever_arm. Probably changed by
+ * mip_filter_antenna_offset, mip_filter_gnss_source, mip_filter_initialization_config and
+ * mip_filter_multi_antenna_offset. Flagged by MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING of
+ * mip_filter_data_cv7_status_flags. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -3924,7 +4113,13 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
  *
  * Estimated velocity.
  *
- * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel`. Changed by mip_filter_reference_point_lever_arm. Probably changed by
+ * mip_filter_antenna_offset, mip_filter_gnss_source, mip_filter_auto_zupt,
+ * mip_filter_commanded_zupt, mip_filter_kinematic_constraint, mip_filter_initialization_config,
+ * mip_filter_multi_antenna_offset, mip_filter_speed_lever_arm and
+ * mip_filter_wheeled_vehicle_constraint. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -3997,7 +4192,10 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  *
  * Estimated position relative to the point that mip_filter_relative_position_config sets.
  *
- * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_ned`. Changed by mip_filter_relative_position_config and
+ * mip_filter_reference_point_lever_arm. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING of mip_filter_data_cv7_status_flags. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -4070,7 +4268,8 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
  *
  * How the filter uses the position measurements of one GNSS receiver.
  *
- * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_pos_aid_status`. Probably changed by mip_filter_gnss_source. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4302,7 +4501,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
  *
  * What the filter did with one kind of aiding measurement in the last measurement interval.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4378,7 +4577,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline
  *
  * Estimated relative error of the odometer scale factor.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * Estimated scale factor = configured scale factor * (1 + error).
  *
@@ -4524,7 +4723,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
  *
  * Heading that two GNSS antennas give.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4614,7 +4813,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
  *
  * Estimated error of a frame that mip_aiding_frame_config defines; it is corrected for.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_aiding_frame_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
@@ -4694,7 +4893,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
  *
  * Full name: filter_data.aiding_frame_config_error_uncertainty.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_aiding_frame_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */

@@ -618,8 +618,9 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  * GNSS position as latitude, longitude and height.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`. Probably changed by
+ * mip_3dm_gps_dynamics_mode and mip_gnss_rtk_config. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -822,8 +823,8 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  * GNSS velocity in the local level frame.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`. Probably changed by
+ * mip_3dm_gps_dynamics_mode. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -1423,8 +1424,9 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
  * Type of the position fix and what it is based on.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by
+ * mip_3dm_constellation_settings, mip_gnss_signal_config and mip_gnss_rtk_config. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1513,8 +1515,9 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
  * One satellite that is tracked.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by
+ * mip_3dm_constellation_settings. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -2216,7 +2219,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  * Status of the satellite based augmentation.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by
+ * mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2324,8 +2328,9 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
  * SBAS correction for one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by
+ * mip_3dm_gnss_sbas_settings. Not listed in any device profile. Known only from the MicroStrain MIP
+ * SDK.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -2642,7 +2647,8 @@ static inline mip_error mip_gnss_data_heading_encode_inline(
  * Direction to one satellite, and its health.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by
+ * mip_3dm_constellation_settings and mip_gnss_signal_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
@@ -2772,7 +2778,8 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
  * Raw observation of one signal of one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by mip_gnss_signal_config.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each signal; `index` and `count` number the fields.
  *
@@ -3073,7 +3080,8 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
  * Which corrections are received, and how old they are.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Probably changed by mip_gnss_rtk_dongle_config
+ * and mip_gnss_spartn_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)

@@ -24,25 +24,25 @@ extern "C" {
 
 /** Sensor axes that were near or outside their range. */
 typedef uint16_t mip_sensor_overrange_flags;
-/** Bit 0. Accelerometer X axis. */
+/** Bit 0. Accelerometer X axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
-/** Bit 1. Accelerometer Y axis. */
+/** Bit 1. Accelerometer Y axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
-/** Bit 2. Accelerometer Z axis. */
+/** Bit 2. Accelerometer Z axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
-/** Bit 4. Gyroscope X axis. */
+/** Bit 4. Gyroscope X axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
-/** Bit 5. Gyroscope Y axis. */
+/** Bit 5. Gyroscope Y axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
-/** Bit 6. Gyroscope Z axis. */
+/** Bit 6. Gyroscope Z axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
-/** Bit 8. Magnetometer X axis. */
+/** Bit 8. Magnetometer X axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
-/** Bit 9. Magnetometer Y axis. */
+/** Bit 9. Magnetometer Y axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
-/** Bit 10. Magnetometer Z axis. */
+/** Bit 10. Magnetometer Z axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
-/** Bit 12. Pressure sensor. */
+/** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
@@ -259,7 +259,18 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  *
  * Measured acceleration, temperature compensated.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_accel_bias, mip_3dm_imu_low_pass_filter,
+ * mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
+ * mip_3dm_imu_signal_conditioning and mip_3dm_sensor_range. Flagged by
+ * MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT of mip_cv7_built_in_test, imu_calibration_error_accel of
+ * mip_cv7_continuous_bit, accel_general_fault of mip_cv7_continuous_bit, accel_over_range of
+ * mip_cv7_continuous_bit, accel_self_test_fail of mip_cv7_continuous_bit,
+ * MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X of mip_sensor_overrange_flags,
+ * MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y of mip_sensor_overrange_flags and
+ * MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z of mip_sensor_overrange_flags. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -326,7 +337,18 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  *
  * Measured angular rate, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_gyro_bias, mip_3dm_capture_gyro_bias,
+ * mip_3dm_imu_low_pass_filter, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_imu_signal_conditioning and
+ * mip_3dm_sensor_range. Flagged by MIP_CV7_BUILT_IN_TEST_GYRO_FAULT of mip_cv7_built_in_test,
+ * imu_calibration_error_gyro of mip_cv7_continuous_bit, gyro_general_fault of
+ * mip_cv7_continuous_bit, gyro_over_range of mip_cv7_continuous_bit, gyro_self_test_fail of
+ * mip_cv7_continuous_bit, MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X of mip_sensor_overrange_flags,
+ * MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y of mip_sensor_overrange_flags and
+ * MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z of mip_sensor_overrange_flags. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -393,6 +415,17 @@ static inline mip_error mip_sensor_scaled_gyro_encode_inline(
  *
  * Measured magnetic field, temperature compensated.
  *
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_mag_hard_iron_offset, mip_3dm_mag_soft_iron_matrix,
+ * mip_3dm_imu_low_pass_filter, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_mag_capture_auto_calibration,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
+ * mip_3dm_imu_signal_conditioning. Flagged by MIP_GX5_BUILT_IN_TEST_MAG_FAULT of
+ * mip_gx5_built_in_test, MIP_CV7_BUILT_IN_TEST_MAG_FAULT of mip_cv7_built_in_test,
+ * imu_calibration_error_mag of mip_cv7_continuous_bit, mag_general_fault of mip_cv7_continuous_bit,
+ * mag_over_range of mip_cv7_continuous_bit, mag_self_test_fail of mip_cv7_continuous_bit,
+ * MIP_SENSOR_OVERRANGE_FLAGS_MAG_X of mip_sensor_overrange_flags, MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y
+ * of mip_sensor_overrange_flags and MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z of mip_sensor_overrange_flags.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
@@ -459,7 +492,11 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  *
  * Time integral of the angular rate over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
+ * mip_3dm_imu_signal_conditioning, mip_3dm_gyro_bias, mip_3dm_capture_gyro_bias and
+ * mip_3dm_coning_sculling_enable. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -526,7 +563,11 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
+ * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
+ * mip_3dm_imu_signal_conditioning, mip_3dm_accel_bias and mip_3dm_coning_sculling_enable. Supported
+ * by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
@@ -595,7 +636,9 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
  *
  * Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
+ * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
  *
@@ -668,7 +711,9 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
  *
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
+ * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
  * 3DM-GX5-15.
@@ -812,7 +857,9 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  *
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
+ * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
+ * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -1185,7 +1232,7 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Supported by 3DM-GX5-15.
+ * Probably changed by mip_3dm_complementary_filter. Supported by 3DM-GX5-15.
  *
  * Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
  * sensor frame, too, which a sensor-to-vehicle transformation changes.
@@ -1256,7 +1303,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-35.
+ * Probably changed by mip_3dm_complementary_filter. Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
  * At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which a
  * sensor-to-vehicle transformation changes.
@@ -1328,7 +1375,8 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  *
  * GPS time of the sensor data.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Changed by mip_base_gps_time_update. Probably changed by mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS returns.
  *
@@ -1552,7 +1600,13 @@ static inline mip_error mip_sensor_raw_pressure_encode_inline(
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * Changed by mip_3dm_imu_low_pass_filter and mip_3dm_low_pass_filter. Flagged by
+ * MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT of mip_gx5_built_in_test,
+ * MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT of mip_cv7_built_in_test,
+ * pressure_sensor_general_fault of mip_cv7_continuous_bit, pressure_sensor_over_range of
+ * mip_cv7_continuous_bit, pressure_sensor_self_test_fail of mip_cv7_continuous_bit and
+ * MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE of mip_sensor_overrange_flags. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1615,7 +1669,7 @@ static inline mip_error mip_sensor_scaled_pressure_encode_inline(
  *
  * Which sensor axes are near or outside their range.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changed by mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */
@@ -1677,7 +1731,7 @@ static inline mip_error mip_sensor_overrange_status_encode_inline(
  *
  * Speed measured by the wheel encoder.
  *
- * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_data`. Changed by mip_3dm_odometer_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

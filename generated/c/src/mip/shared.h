@@ -237,7 +237,8 @@ static inline mip_error mip_shared_delta_ticks_encode_inline(
  *
  * External time of the data as GPS time of week and week number.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_base_gps_time_update. Probably changed by mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * In event messages it is the time of the trigger.
  *
@@ -520,7 +521,8 @@ static inline mip_error mip_shared_reference_time_delta_encode_inline(
  *
  * Time of the data in the external clock domain.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_base_gps_time_update. Probably changed by mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * It is mip_shared_gps_timestamp in nanoseconds.
  *

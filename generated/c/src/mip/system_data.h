@@ -111,7 +111,7 @@ static inline mip_error mip_system_data_built_in_test_encode_inline(
  *
  * Whether the device time is locked to the pulse per second.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_3dm_pps_source_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -177,7 +177,8 @@ static inline mip_error mip_system_data_time_sync_status_encode_inline(
  *
  * Levels of all user GPIO pins.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Changed by mip_3dm_gpio_state. Probably changed by mip_3dm_gpio_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * A pulse that is shorter than the period at which the field is sent is missed.
  *
@@ -248,7 +249,8 @@ static inline mip_error mip_system_data_gpio_state_encode_inline(
  *
  * Voltage at one GPIO pin.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Probably changed by mip_3dm_gpio_config. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Only for pins that are configured as analog inputs.
  *

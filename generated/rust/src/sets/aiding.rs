@@ -118,9 +118,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Supported
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Changes
+    /// [`filter_data::AidingFrameConfigError`](crate::filter_data::AidingFrameConfigError).
+    /// Probably changes
+    /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
+    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.

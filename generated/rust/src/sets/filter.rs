@@ -323,7 +323,15 @@ record! {
     ///
     /// Returns the filter to its initialization state.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changes filter_data (0x82). Flagged by
+    /// [`solution_fault`](types::Gx5BuiltInTest::solution_fault) of [`types::Gx5BuiltInTest`],
+    /// [`filter_solution_fault`](types::Cv7BuiltInTest::filter_solution_fault) of
+    /// [`types::Cv7BuiltInTest`],
+    /// [`run_nan_in_solution_warning`](crate::filter_data::Gx5StatusFlags::run_nan_in_solution_warning)
+    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags) and
+    /// [`solution_error`](crate::filter_data::Cv7StatusFlags::solution_error) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
@@ -360,9 +368,12 @@ record! {
     ///
     /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -409,7 +420,10 @@ record! {
     ///
     /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -450,7 +464,10 @@ record! {
     ///
     /// Initializes the attitude of the filter with that of the complementary filter.
     ///
-    /// Also called `set_initial_heading_from_mag`. May be supported by
+    /// Also called `set_initial_heading_from_mag`. Changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). May be supported by
     /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014, MicroStrain
     /// Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
     /// initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example
@@ -488,7 +505,8 @@ record! {
     ///
     /// Starts a filter that is configured to wait for this command.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changes [`filter_data::Status`](crate::filter_data::Status). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
@@ -523,7 +541,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// Changes [`filter_data::Status`](crate::filter_data::Status). Probably changes filter_data
+    /// (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
     /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
@@ -581,15 +600,24 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The formula. The text of the manual
-    /// lacks it; it is the inverse of that of
+    /// [`SensorToVehicleRotationEulerResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The formula. The text of the manual lacks it; it is the inverse of that of
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
     ///
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
-    ///   gravity vector of the filter.
     /// - The 3DM-CV7 uses the inverse instead:
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     /// - `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
@@ -661,11 +689,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
-    /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
-    /// from the name.
+    /// Changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
+    /// The direction, from the sensor to the origin of the vehicle frame, is inferred from the
+    /// name.
     ///
-    /// - It shifts only [`filter_data::LlhPosition`](crate::filter_data::LlhPosition).
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
@@ -721,9 +749,17 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`]. Probably
+    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection).
+    /// Flagged by
+    /// [`run_antenna_offset_correction_est_high_warning`](crate::filter_data::Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
+    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
@@ -784,14 +820,27 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EstimationControlResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Changes [`filter_data::GyroBias`](crate::filter_data::GyroBias),
+    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias),
+    /// [`filter_data::GyroScaleFactor`](crate::filter_data::GyroScaleFactor),
+    /// [`filter_data::AccelScaleFactor`](crate::filter_data::AccelScaleFactor),
+    /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection),
+    /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Probably changes
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty),
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty),
+    /// [`filter_data::GyroScaleFactorUncertainty`](crate::filter_data::GyroScaleFactorUncertainty),
+    /// [`filter_data::AccelScaleFactorUncertainty`](crate::filter_data::AccelScaleFactorUncertainty),
+    /// [`filter_data::AntennaOffsetCorrectionUncertainty`](crate::filter_data::AntennaOffsetCorrectionUncertainty),
+    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty) and
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
@@ -860,9 +909,14 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Probably
+    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::GnssPositionAidingStatus`](crate::filter_data::GnssPositionAidingStatus).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - A change while the filter is running may return it to initialization until the new source
     ///   provides data.
@@ -1052,14 +1106,18 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`]. Changes
+    /// [`filter_data::HeadingUpdateState`](crate::filter_data::HeadingUpdateState). Probably
+    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
@@ -1183,7 +1241,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Supported
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Probably
+    /// changes [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty),
+    /// [`filter_data::EcefPositionUncertainty`](crate::filter_data::EcefPositionUncertainty),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty),
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty) and
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -1243,9 +1306,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty),
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
+    /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1304,7 +1370,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelBiasModelResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Probably changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
@@ -1365,9 +1433,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`]. Probably
+    /// changes [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1428,9 +1498,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Probably
+    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
+    /// Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1564,9 +1638,15 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoAngularZuptResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1630,8 +1710,20 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`TareOrientationResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// On the [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only. On the
     /// [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
@@ -1691,6 +1783,10 @@ record! {
     ///
     /// Tells the filter once that the device is at rest.
     ///
+    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The highest rate depends on the device.
@@ -1721,7 +1817,13 @@ record! {
     ///
     /// Tells the filter once that the device is not rotating.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At most 10 per second.
     ///
@@ -1754,7 +1856,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Changes [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
+    /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy)]
@@ -1832,8 +1936,11 @@ record! {
     /// Moves what the automatic magnetometer calibration has found into the fixed calibration.
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
-    /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known only from the MicroStrain MIP SDK.
+    /// [save](types::FunctionSelector::SAVE). Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -1877,9 +1984,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1938,6 +2048,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
@@ -1996,7 +2108,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Probably changes [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Supported
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -2052,7 +2166,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Probably changes [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -2108,6 +2224,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EnableMeasurementsResponse`].
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
@@ -2163,9 +2285,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
-    /// The SDK calls it process noise, although the noise is that of a measurement.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy)]
@@ -2221,7 +2346,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticDeclinationSourceResponse`]. Supported by
+    /// [`MagneticDeclinationSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
@@ -2292,12 +2420,17 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// May be supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2404,8 +2537,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2524,8 +2662,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -2614,6 +2757,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
@@ -2672,6 +2817,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PitchRollAidingResponse`].
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
@@ -2727,8 +2878,11 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`MagneticInclinationSourceResponse`]. Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answered by [`MagneticInclinationSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2793,8 +2947,11 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticMagnitudeSourceResponse`]. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// [`MagneticMagnitudeSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
@@ -2859,15 +3016,24 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationDcmResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// [`SensorToVehicleRotationDcmResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the matrix that
     ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
     ///   takes.
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    ///   filter.
     /// - The device refuses a matrix that is not orthonormal to within 0.001.
     /// - The device keeps a quaternion, so the elements read back may differ slightly from those
     ///   written.
@@ -2926,15 +3092,24 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`]. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// [`SensorToVehicleRotationQuaternionResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the quaternion that
     ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
     ///   takes.
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    ///   filter.
     /// - The device normalizes it, so the elements read back may differ slightly from those
     ///   written.
     ///
@@ -2992,7 +3167,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AidingMeasurementEnableResponse`]. Supported by
+    /// [`AidingMeasurementEnableResponse`]. Changes
+    /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
+    /// Probably changes filter_data (0x82). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
@@ -3057,8 +3234,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`].
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
-    /// Whether there are further values. The SDK has plain numbers and gives the values in remarks.
+    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
+    /// values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -3131,7 +3313,15 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changes [`filter_data::Status`](crate::filter_data::Status). Probably changes
+    /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
@@ -3251,7 +3441,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// Probably changes filter_data (0x82). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
@@ -3314,7 +3505,19 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MultiAntennaOffsetResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection)
+    /// and [`filter_data::GnssDualAntennaStatus`](crate::filter_data::GnssDualAntennaStatus).
+    /// Flagged by
+    /// [`antenna_lever_arm_warning`](crate::filter_data::Cv7StatusFlags::antenna_lever_arm_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Copy)]
@@ -3375,7 +3578,8 @@ record! {
     /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RelativePositionConfigResponse`]. Supported by
+    /// Answered by [`RelativePositionConfigResponse`]. Changes
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
@@ -3450,15 +3654,16 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`ReferencePointLeverArmResponse`]. Supported by
+    /// Answered by [`ReferencePointLeverArmResponse`]. Changes
+    /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
-    ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
-    ///   [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
-    ///   [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
-    ///   [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition), depending
-    ///   on the attitude and, for velocities, on the angular rate.
+    /// - The shift of positions depends on the attitude, that of velocities on the angular rate as
+    ///   well.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy)]
@@ -3583,7 +3788,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`]. Probably
+    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::OdometerScaleFactorError`](crate::filter_data::OdometerScaleFactorError).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It corrects for the part of the speed at that point that is due to the rotation of the
@@ -3646,8 +3854,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`VerticalGyroConstraintControlResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// [`VerticalGyroConstraintControlResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It assumes that the linear acceleration is zero.
     ///
@@ -3704,7 +3915,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`WheeledVehicleConstraintControlResponse`]. Supported by
+    /// [`WheeledVehicleConstraintControlResponse`]. Probably changes
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It improves the heading of cars and similar vehicles, especially with intermittent GNSS.
@@ -3763,8 +3979,11 @@ record! {
     /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Changes
+    /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection).
+    /// Probably changes
+    /// [`filter_data::MultiAntennaOffsetCorrectionUncertainty`](crate::filter_data::MultiAntennaOffsetCorrectionUncertainty).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);

@@ -256,46 +256,54 @@ bitfield! {
         /// A matrix of the computation is singular. Bit 3.
         RUN_MATRIX_SINGULARITY: bool = 3,
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
-        /// A position covariance is above its normal limit. Bit 4.
+        /// A position covariance is above its normal limit. Bit 4. Concerns [`LlhPosition`] and
+        /// [`LlhPositionUncertainty`].
         RUN_POSITION_COVARIANCE_WARNING: bool = 4,
             run_position_covariance_warning, set_run_position_covariance_warning, with_run_position_covariance_warning;
-        /// A velocity covariance is above its normal limit. Bit 5.
+        /// A velocity covariance is above its normal limit. Bit 5. Concerns [`NedVelocity`] and
+        /// [`NedVelocityUncertainty`].
         RUN_VELOCITY_COVARIANCE_WARNING: bool = 5,
             run_velocity_covariance_warning, set_run_velocity_covariance_warning, with_run_velocity_covariance_warning;
-        /// An attitude covariance is above its normal limit. Bit 6.
+        /// An attitude covariance is above its normal limit. Bit 6. Concerns [`EulerAngles`] and
+        /// [`EulerAnglesUncertainty`].
         RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
-        /// The solution contains values that are not numbers. Bit 7.
+        /// The solution contains values that are not numbers. Bit 7. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
-        /// The estimated gyroscope bias is high. Bit 8.
+        /// The estimated gyroscope bias is high. Bit 8. Concerns [`GyroBias`].
         RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8,
             run_gyro_bias_est_high_warning, set_run_gyro_bias_est_high_warning, with_run_gyro_bias_est_high_warning;
-        /// The estimated accelerometer bias is high. Bit 9.
+        /// The estimated accelerometer bias is high. Bit 9. Concerns [`AccelBias`].
         RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9,
             run_accel_bias_est_high_warning, set_run_accel_bias_est_high_warning, with_run_accel_bias_est_high_warning;
-        /// The estimated gyroscope scale factor is high. Bit 10.
+        /// The estimated gyroscope scale factor is high. Bit 10. Concerns [`GyroScaleFactor`].
         RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10,
             run_gyro_scale_factor_est_high_warning, set_run_gyro_scale_factor_est_high_warning, with_run_gyro_scale_factor_est_high_warning;
-        /// The estimated accelerometer scale factor is high. Bit 11.
+        /// The estimated accelerometer scale factor is high. Bit 11. Concerns [`AccelScaleFactor`].
         RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11,
             run_accel_scale_factor_est_high_warning, set_run_accel_scale_factor_est_high_warning, with_run_accel_scale_factor_est_high_warning;
-        /// The estimated magnetometer bias is high. Bit 12.
+        /// The estimated magnetometer bias is high. Bit 12. Concerns [`MagBias`].
         RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
             run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
+        /// Concerns [`AntennaOffsetCorrection`] and
+        /// [`filter::AntennaOffset`](crate::filter::AntennaOffset).
         RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
             run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
-        /// The estimated hard-iron offset is high. Bit 14.
+        /// The estimated hard-iron offset is high. Bit 14. Concerns [`MagOffset`].
         RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
             run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
-        /// The estimated soft-iron correction is high. Bit 15.
+        /// The estimated soft-iron correction is high. Bit 15. Concerns [`MagMatrix`].
         RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15,
             run_mag_soft_iron_est_high_warning, set_run_mag_soft_iron_est_high_warning, with_run_mag_soft_iron_est_high_warning;
-        /// The attitude is not initialized. Bit 12. Overlaps other bits.
+        /// The attitude is not initialized. Bit 12. Overlaps other bits. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         INIT_NO_ATTITUDE: bool = 12,
             init_no_attitude, set_init_no_attitude, with_init_no_attitude;
-        /// Position and velocity are not initialized. Bit 13. Overlaps other bits.
+        /// Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
+        /// [`LlhPosition`] and [`NedVelocity`].
         INIT_NO_POSITION_VELOCITY: bool = 13,
             init_no_position_velocity, set_init_no_position_velocity, with_init_no_position_velocity;
     }
@@ -325,35 +333,47 @@ bitfield! {
         /// How settled the estimates are. Bits 0 to 1. A value of [`FilterCondition`].
         FILTER_CONDITION: FilterCondition = 0..=1,
             filter_condition, set_filter_condition, with_filter_condition;
-        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2.
+        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         ROLL_PITCH_WARNING: bool = 2,
             roll_pitch_warning, set_roll_pitch_warning, with_roll_pitch_warning;
-        /// The heading is doubtful; check the heading source. Bit 3.
+        /// The heading is doubtful; check the heading source. Bit 3. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         HEADING_WARNING: bool = 3,
             heading_warning, set_heading_warning, with_heading_warning;
-        /// The position is doubtful; check the GNSS reception and antennas. Bit 4.
+        /// The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+        /// [`LlhPosition`], [`EcefPosition`] and [`NedRelativePosition`].
         POSITION_WARNING: bool = 4,
             position_warning, set_position_warning, with_position_warning;
-        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5.
+        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
+        /// [`NedVelocity`] and [`EcefVelocity`].
         VELOCITY_WARNING: bool = 5,
             velocity_warning, set_velocity_warning, with_velocity_warning;
-        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6.
+        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns
+        /// [`AccelBias`], [`GyroBias`] and
+        /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias).
         IMU_BIAS_WARNING: bool = 6,
             imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
-        /// The GNSS clock is doubtful; navigation continues. Bit 7.
+        /// The GNSS clock is doubtful; navigation continues. Bit 7. Concerns [`Timestamp`] and
+        /// [`ClockCorrection`].
         GNSS_CLOCK_WARNING: bool = 7,
             gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
-        /// The antenna offsets are probably wrong. Bit 8.
+        /// The antenna offsets are probably wrong. Bit 8. Concerns [`MultiAntennaOffsetCorrection`]
+        /// and [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
         ANTENNA_LEVER_ARM_WARNING: bool = 8,
             antenna_lever_arm_warning, set_antenna_lever_arm_warning, with_antenna_lever_arm_warning;
-        /// The mounting transformation is probably wrong. Bit 9.
+        /// The mounting transformation is probably wrong. Bit 9. Concerns
+        /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler)
+        /// and
+        /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
         MOUNTING_TRANSFORM_WARNING: bool = 9,
             mounting_transform_warning, set_mounting_transform_warning, with_mounting_transform_warning;
         /// No pulse per second is detected, or the time of an external heading is too old. Bit 10.
+        /// Concerns [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl).
         TIME_SYNC_WARNING: bool = 10,
             time_sync_warning, set_time_sync_warning, with_time_sync_warning;
         /// Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to
-        /// 15.
+        /// 15. Concerns [`filter::Reset`](crate::filter::Reset).
         SOLUTION_ERROR: u8 = 12..=15,
             solution_error, set_solution_error, with_solution_error;
     }
@@ -364,7 +384,19 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `position_llh`. Changed by
+    /// [`filter::SensorToVehicleOffset`](crate::filter::SensorToVehicleOffset) and
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise),
+    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
+    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
+    /// of [`Gx5StatusFlags`] and [`position_warning`](Cv7StatusFlags::position_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
@@ -399,7 +431,22 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `velocity_ned`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by
+    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
+    /// of [`Gx5StatusFlags`] and [`velocity_warning`](Cv7StatusFlags::velocity_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Copy, Default)]
@@ -431,8 +478,37 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
+    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
+    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
     ///
@@ -460,8 +536,38 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
+    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
+    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     ///   v_ned`.
@@ -490,7 +596,39 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by
+    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of
+    /// [`Gx5StatusFlags`], [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of
+    /// [`Cv7StatusFlags`] and [`heading_warning`](Cv7StatusFlags::heading_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
@@ -526,8 +664,15 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Flagged by
+    /// [`run_gyro_bias_est_high_warning`](Gx5StatusFlags::run_gyro_bias_est_high_warning) of
+    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -552,7 +697,11 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Flagged by
+    /// [`run_accel_bias_est_high_warning`](Gx5StatusFlags::run_accel_bias_est_high_warning) of
+    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
@@ -577,8 +726,12 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `position_llh_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise) and
+    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding). Flagged by
+    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
@@ -610,8 +763,12 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `velocity_ned_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `velocity_ned_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Flagged by
+    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
@@ -643,7 +800,16 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagNoise`](crate::filter::MagNoise),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
+    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Flagged by
+    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond
@@ -680,8 +846,12 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
+    /// [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -707,7 +877,10 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise) and
+    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
     #[derive(Copy, Default)]
@@ -732,6 +905,15 @@ record! {
     ///
     /// Compensated acceleration minus the estimated gravity.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
@@ -759,6 +941,15 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -786,7 +977,9 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Also called `wgs84_gravity_mag`. Changed by
+    /// [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The model is valid up to an altitude of 20 km.
     ///
@@ -812,8 +1005,10 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Changed by [`filter::Run`](crate::filter::Run),
+    /// [`filter::VehicleDynamicsMode`](crate::filter::VehicleDynamicsMode) and
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
@@ -908,7 +1103,9 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Flagged by
+    /// [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
@@ -943,8 +1140,15 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagNoise`](crate::filter::MagNoise),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
+    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -969,6 +1173,14 @@ record! {
     ///
     /// Estimated gravity.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
@@ -996,7 +1208,8 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by [`filter::HeadingSource`](crate::filter::HeadingSource). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -1031,7 +1244,8 @@ record! {
     ///
     /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1073,7 +1287,10 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
+    /// [`run_gyro_scale_factor_est_high_warning`](Gx5StatusFlags::run_gyro_scale_factor_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Copy, Default)]
@@ -1098,7 +1315,10 @@ record! {
     ///
     /// Estimated scale factor of the accelerometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
+    /// [`run_accel_scale_factor_est_high_warning`](Gx5StatusFlags::run_accel_scale_factor_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Copy, Default)]
@@ -1123,7 +1343,8 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Copy, Default)]
@@ -1148,7 +1369,8 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Copy, Default)]
@@ -1173,7 +1395,9 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Flagged by [`run_mag_bias_est_high_warning`](Gx5StatusFlags::run_mag_bias_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -1223,6 +1447,14 @@ record! {
     ///
     /// Acceleration without the estimated bias; it includes gravity.
     ///
+    /// Changed by [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) and
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation). Probably changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
@@ -1347,8 +1579,13 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Also called `magnetometer_offset`. Changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
+    /// changed by [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Flagged by
+    /// [`run_mag_hard_iron_est_high_warning`](Gx5StatusFlags::run_mag_hard_iron_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -1376,8 +1613,13 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Also called `magnetometer_matrix`. Changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
+    /// changed by [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Flagged by
+    /// [`run_mag_soft_iron_est_high_warning`](Gx5StatusFlags::run_mag_soft_iron_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -1405,8 +1647,10 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_offset_uncertainty`. Probably changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -1431,8 +1675,10 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_matrix_uncertainty`. Probably changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -1510,7 +1756,11 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset). Flagged by
+    /// [`run_antenna_offset_correction_est_high_warning`](Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
@@ -1538,7 +1788,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
@@ -1563,6 +1814,7 @@ record! {
     ///
     /// Estimated clock error of one GNSS receiver.
     ///
+    /// Flagged by [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`].
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
@@ -1627,7 +1879,11 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by
+    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
+    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
+    /// Flagged by [`antenna_lever_arm_warning`](Cv7StatusFlags::antenna_lever_arm_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The filter adds it to the stored offset.
     ///
@@ -1656,6 +1912,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
+    /// Probably changed by
+    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
@@ -1683,7 +1941,8 @@ record! {
     ///
     /// Standard deviation of the estimated position.
     ///
-    /// Also called `ecef_pos_uncertainty`. Supported by
+    /// Also called `ecef_pos_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
@@ -1709,7 +1968,10 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `ecef_vel_uncertainty`. Supported by
+    /// Also called `ecef_vel_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
@@ -1735,7 +1997,14 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `ecef_pos`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
+    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
@@ -1760,7 +2029,19 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `ecef_vel`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`velocity_warning`](Cv7StatusFlags::velocity_warning) of [`Cv7StatusFlags`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
@@ -1786,7 +2067,11 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `rel_pos_ned`. Changed by
+    /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) and
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Flagged by
+    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
@@ -1811,7 +2096,8 @@ record! {
     ///
     /// How the filter uses the position measurements of one GNSS receiver.
     ///
-    /// Also called `gnss_pos_aid_status`. Supported by
+    /// Also called `gnss_pos_aid_status`. Probably changed by
+    /// [`filter::GnssSource`](crate::filter::GnssSource). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -1910,6 +2196,7 @@ record! {
     ///
     /// What the filter did with one kind of aiding measurement in the last measurement interval.
     ///
+    /// Changed by [`filter::AidingMeasurementEnable`](crate::filter::AidingMeasurementEnable).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -1947,7 +2234,8 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably changed by [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
@@ -1997,6 +2285,7 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
+    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -2036,7 +2325,8 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]
@@ -2065,7 +2355,8 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Copy, Default)]

@@ -201,7 +201,10 @@ record! {
     /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SignalConfigResponse`]. Supported by
+    /// Answered by [`SignalConfigResponse`]. Probably changes
+    /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
+    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
+    /// [`gnss_data::Raw`](crate::gnss_data::Raw). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A device accepts certain combinations only.
@@ -322,9 +325,12 @@ record! {
     /// Also called `rtk_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkConfigResponse`]. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver
-    /// report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+    /// Answered by [`RtkConfigResponse`]. Probably changes
+    /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo) and
+    /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the
+    /// vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative`
+    /// only.
     ///
     /// - The available modes differ by device.
     ///
@@ -384,8 +390,9 @@ record! {
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// Answered by [`RtkDongleConfigResponse`]. Probably changes
+    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -444,7 +451,8 @@ record! {
     /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SpartnConfigResponse`]. Supported by
+    /// Answered by [`SpartnConfigResponse`]. Probably changes
+    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device accepts
     /// upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the
     /// command has "bc" for 0xBC.

@@ -917,7 +917,9 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
+    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode) and
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
@@ -1008,7 +1010,8 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
+    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -1276,7 +1279,10 @@ record! {
     /// Type of the position fix and what it is based on.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings),
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig) and
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
@@ -1314,7 +1320,8 @@ record! {
     /// One satellite that is tracked.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether a packet holds one of these fields or several.
@@ -1612,7 +1619,8 @@ record! {
     /// Status of the satellite based augmentation.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12); 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12).
@@ -1658,8 +1666,9 @@ record! {
     /// SBAS correction for one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     /// - For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678,
@@ -1797,7 +1806,9 @@ record! {
     /// Direction to one satellite, and its health.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings) and
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
@@ -1856,7 +1867,8 @@ record! {
     /// Raw observation of one signal of one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; `index` and `count` number the fields.
@@ -2001,7 +2013,9 @@ record! {
     /// Which corrections are received, and how old they are.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`gnss::RtkDongleConfig`](crate::gnss::RtkDongleConfig) and
+    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31); 3dm-cv7-gnss-ins: RTK Corrections

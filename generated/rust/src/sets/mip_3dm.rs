@@ -1419,9 +1419,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default.
-    /// The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+    /// Probably changes [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
+    /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
+    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default. The SDK
+    /// names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
@@ -1499,9 +1502,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSbasSettingsResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably changes [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
+    /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
     /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
@@ -1713,7 +1718,13 @@ record! {
     /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`PpsSourceControlResponse`]. Supported by
+    /// Answered by [`PpsSourceControlResponse`]. Changes
+    /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably changes
+    /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp),
+    /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) and
+    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Flagged by
+    /// [`time_sync_warning`](crate::filter_data::Cv7StatusFlags::time_sync_warning) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
@@ -2209,7 +2220,24 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformEulerResponse`]. Supported by
+    /// [`SensorToVehicleTransformEulerResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Flagged by
+    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -2218,10 +2246,8 @@ record! {
     /// - Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
     ///   about its own z, y and x axes, in this order.
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
-    /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
-    ///   rate and gravity of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     /// - On some older devices the setting is the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
@@ -2292,7 +2318,22 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
+    /// [`SensorToVehicleTransformQuaternionResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
@@ -2301,11 +2342,8 @@ record! {
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
     ///   takes.
-    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
-    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
-    ///   gravity vector of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy)]
@@ -2361,18 +2399,32 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformDcmResponse`]. Supported by
+    /// [`SensorToVehicleTransformDcmResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Flagged by
+    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
-    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
-    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
-    ///   gravity vector of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -2428,10 +2480,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`]. May be
-    /// supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it
-    /// in its example for the 3DM-GX3-35 only.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
+    /// Probably changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). May be supported by
+    /// [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and MicroStrain
+    /// Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    /// example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2486,12 +2540,19 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
-    /// May be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of
-    /// the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
-    /// record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
-    /// 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL
-    /// reads it without.
+    /// Probably changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). May be supported by
+    /// [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and MicroStrain
+    /// Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are
+    /// those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain:
+    /// Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
+    /// Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2646,7 +2707,9 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Supported by
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably changes
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -2714,7 +2777,9 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Supported by
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2787,13 +2852,16 @@ record! {
     ///
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
-    /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta). Flagged by
+    /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
+    /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -2837,7 +2905,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagHardIronOffsetResponse`]. Supported by
+    /// Answered by [`MagHardIronOffsetResponse`]. Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2921,7 +2990,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagSoftIronMatrixResponse`]. Supported by
+    /// Answered by [`MagSoftIronMatrixResponse`]. Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3004,7 +3074,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConingScullingEnableResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -3129,8 +3201,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Probably
+    /// changes [`system_data::GpioState`](crate::system_data::GpioState) and
+    /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -3291,7 +3365,8 @@ record! {
     /// Sets or reads the state of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Supported by
+    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Changes
+    /// [`system_data::GpioState`](crate::system_data::GpioState). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A read returns the level of the pin itself.
@@ -3350,7 +3425,8 @@ record! {
     /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`OdometerConfigResponse`]. Supported by
+    /// Answered by [`OdometerConfigResponse`]. Changes
+    /// [`sensor::Odometer`](crate::sensor::Odometer). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
@@ -3423,14 +3499,18 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuLowPassFilterResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Deprecated on
-    /// the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on
-    /// the [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Deprecated on the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
     /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead.
     ///
@@ -3520,10 +3600,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ComplementaryFilterResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
+    /// Changes [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::NorthVector`](crate::sensor::NorthVector) and
+    /// [`sensor::UpVector`](crate::sensor::UpVector). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -3615,8 +3699,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Probably
+    /// changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro) and
+    /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`GetCalibratedSensorRanges`] lists the settings. The device may refuse other settings, or
     ///   measure incorrectly with them.
@@ -3710,7 +3797,14 @@ record! {
     /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`LowPassFilterResponse`]. Supported by
+    /// Answered by [`LowPassFilterResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure),
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).

@@ -12,34 +12,34 @@ pub const SET: u8 = 0x80;
 bitfield! {
     /// Sensor axes that were near or outside their range.
     OverrangeFlags: u16 {
-        /// Accelerometer X axis. Bit 0.
+        /// Accelerometer X axis. Bit 0. Concerns [`ScaledAccel`].
         ACCEL_X: bool = 0,
             accel_x, set_accel_x, with_accel_x;
-        /// Accelerometer Y axis. Bit 1.
+        /// Accelerometer Y axis. Bit 1. Concerns [`ScaledAccel`].
         ACCEL_Y: bool = 1,
             accel_y, set_accel_y, with_accel_y;
-        /// Accelerometer Z axis. Bit 2.
+        /// Accelerometer Z axis. Bit 2. Concerns [`ScaledAccel`].
         ACCEL_Z: bool = 2,
             accel_z, set_accel_z, with_accel_z;
-        /// Gyroscope X axis. Bit 4.
+        /// Gyroscope X axis. Bit 4. Concerns [`ScaledGyro`].
         GYRO_X: bool = 4,
             gyro_x, set_gyro_x, with_gyro_x;
-        /// Gyroscope Y axis. Bit 5.
+        /// Gyroscope Y axis. Bit 5. Concerns [`ScaledGyro`].
         GYRO_Y: bool = 5,
             gyro_y, set_gyro_y, with_gyro_y;
-        /// Gyroscope Z axis. Bit 6.
+        /// Gyroscope Z axis. Bit 6. Concerns [`ScaledGyro`].
         GYRO_Z: bool = 6,
             gyro_z, set_gyro_z, with_gyro_z;
-        /// Magnetometer X axis. Bit 8.
+        /// Magnetometer X axis. Bit 8. Concerns [`ScaledMag`].
         MAG_X: bool = 8,
             mag_x, set_mag_x, with_mag_x;
-        /// Magnetometer Y axis. Bit 9.
+        /// Magnetometer Y axis. Bit 9. Concerns [`ScaledMag`].
         MAG_Y: bool = 9,
             mag_y, set_mag_y, with_mag_y;
-        /// Magnetometer Z axis. Bit 10.
+        /// Magnetometer Z axis. Bit 10. Concerns [`ScaledMag`].
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
-        /// Pressure sensor. Bit 12.
+        /// Pressure sensor. Bit 12. Concerns [`ScaledPressure`].
         PRESSURE: bool = 12,
             pressure, set_pressure, with_pressure;
     }
@@ -129,7 +129,32 @@ record! {
     ///
     /// Measured acceleration, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// [`accel_fault`](types::Cv7BuiltInTest::accel_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Cv7ContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Cv7ContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Cv7ContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
+    /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`] and
+    /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -154,9 +179,34 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// [`gyro_fault`](types::Cv7BuiltInTest::gyro_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Cv7ContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Cv7ContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Cv7ContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
+    /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`] and
+    /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -179,7 +229,33 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset),
+    /// [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Flagged by
+    /// [`mag_fault`](types::Gx5BuiltInTest::mag_fault) of [`types::Gx5BuiltInTest`],
+    /// [`mag_fault`](types::Cv7BuiltInTest::mag_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_mag) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Cv7ContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Cv7ContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Cv7ContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
+    /// [`mag_y`](OverrangeFlags::mag_y) of [`OverrangeFlags`] and [`mag_z`](OverrangeFlags::mag_z)
+    /// of [`OverrangeFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
@@ -202,9 +278,22 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
+    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -227,9 +316,21 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
+    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
     ///
@@ -255,9 +356,15 @@ record! {
     /// Attitude from the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     ///   3DM-GX5-15.
@@ -284,9 +391,15 @@ record! {
     ///
     /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
     ///   the 3DM-GX5-15.
@@ -340,9 +453,15 @@ record! {
     ///
     /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -502,6 +621,7 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
+    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -529,6 +649,7 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
+    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -555,9 +676,11 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS returns.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -672,7 +795,19 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Changed by [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) and
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter). Flagged by
+    /// [`pressure_sensor_fault`](types::Gx5BuiltInTest::pressure_sensor_fault) of
+    /// [`types::Gx5BuiltInTest`],
+    /// [`pressure_sensor_fault`](types::Cv7BuiltInTest::pressure_sensor_fault) of
+    /// [`types::Cv7BuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Cv7ContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Cv7ContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Cv7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Cv7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
+    /// [`OverrangeFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -697,7 +832,8 @@ record! {
     ///
     /// Which sensor axes are near or outside their range.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -717,7 +853,9 @@ record! {
     ///
     /// Speed measured by the wheel encoder.
     ///
-    /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `odometer_data`. Changed by
+    /// [`mip_3dm::OdometerConfig`](crate::mip_3dm::OdometerConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
     #[derive(Copy, Default)]

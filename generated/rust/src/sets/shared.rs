@@ -119,7 +119,9 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -232,7 +234,9 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.

@@ -75,7 +75,8 @@ record! {
     ///
     /// Whether the device time is locked to the pulse per second.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -99,7 +100,9 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Changed by [`mip_3dm::GpioState`](crate::mip_3dm::GpioState). Probably changed by
+    /// [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.
@@ -125,7 +128,8 @@ record! {
     ///
     /// Voltage at one GPIO pin.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///

@@ -129,6 +129,7 @@ FILTERS_OF_PAGE: Filters = {
     "quotation": Page.quotation,
     "facts": fields.facts,
     "notes": fields.notes,
+    "changed": fields.changed,
     "call_table": fields.call_table,
     "first_sentence": fields.first_sentence,
     "own_responses": fields.own_responses,

@@ -36,7 +36,7 @@ E["tools.pulse_use"] = { [1] = "input", [2] = "output", }
 E["tools.serial_use"] = { [1] = "receive", [33] = "transmit", }
 F["tools.model_a_faults"] = {
   { name = "clock", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "" },
-  { name = "sensor", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "" },
+  { name = "sensor", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "The sensor is broken." },
   { name = "solution", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "" },
 }
 F["tools.model_b_faults"] = {

@@ -23,8 +23,9 @@ class Accel(Shared, Data):
 
     A vector whose elements are valid together.
 
-    Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by
-    Model A, Model B and Model C.
+    Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by `tools.Bias`. Probably
+    changed by `tools.CaptureBias`. Flagged by `tools.ModelAFaults.SENSOR` of `tools.ModelAFaults`.
+    Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -686,7 +687,8 @@ class Gust(Shared, Data):
 
     One valid flag for all values but one; `Breeze` has the same place.
 
-    Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
+    Occurs in measurements (0x80) and copy (0x92). Changed by `tools.Bias`. Not listed in any device
+    profile.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.

@@ -33,8 +33,9 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Occurs in MIP_MEASUREMENTS_SET, MIP_MORE_SET and MIP_COPY_SET. Maximum rate: 100 Hz. Supported by
- * Model A, Model B and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET, MIP_MORE_SET and MIP_COPY_SET. Changed by mip_tools_bias.
+ * Probably changed by mip_tools_capture_bias. Flagged by MIP_TOOLS_A_FAULTS_SENSOR of
+ * mip_tools_a_faults. Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -706,7 +707,8 @@ static inline mip_error mip_measurements_cloud_encode(const struct mip_measureme
  *
  * One valid flag for all values but one; mip_measurements_breeze has the same place.
  *
- * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Not listed in any device profile.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Changed by mip_tools_bias. Not listed in any
+ * device profile.
  *
  * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
  * enum mip_tools_shape.
