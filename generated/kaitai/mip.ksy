@@ -7033,13 +7033,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned."
+        doc: "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad. Frame: ned."
+        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad. Frame: ned."
+        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   sensor_orientation_raw_temperature:
     -orig-id: sensor.orientation_raw_temperature
     doc: Orientation raw temperatures. Raw readings of four temperature sensors.
@@ -8254,13 +8254,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Pitch. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Yaw. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8354,7 +8354,7 @@ types:
         doc: Validity of the values.
   filter_data_linear_accel:
     -orig-id: filter_data.linear_accel
-    doc: Linear acceleration. Compensated acceleration minus the estimated gravity.
+    doc: Linear acceleration. Rate of change of the velocity, with the effect of gravity removed.
     seq:
       - id: accel
         type: vector3f

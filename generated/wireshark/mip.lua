@@ -1838,15 +1838,15 @@ field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command
     doc = "Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
 field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
     doc = "Gives the filter its initial heading; pitch and roll come from the accelerometers.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
 field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
     doc = "Initializes the attitude of the filter with that of the complementary filter.", least = 4,
@@ -1909,8 +1909,8 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -1920,7 +1920,7 @@ field({ descriptor = 0x17, name = "filter.external_heading_update", role = "comm
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
@@ -1982,7 +1982,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
@@ -2017,8 +2017,8 @@ field({ descriptor = 0x26, name = "filter.reference_position", role = "command",
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
@@ -2357,8 +2357,8 @@ field({ descriptor = 0x90, name = "filter.reference_position_response", role = "
     always = 4,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
     } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
 field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
@@ -2828,8 +2828,8 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.latitude is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.longitude is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
@@ -2880,7 +2880,7 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
@@ -2975,13 +2975,13 @@ field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = 
     doc = "Measured acceleration, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Acceleration. Unit: g. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Acceleration. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_accel", title = "Scaled accel" }, })
 field({ descriptor = 0x05, name = "sensor.scaled_gyro", role = "data", title = "Scaled gyro",
     doc = "Measured angular rate, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_gyro", title = "Scaled gyro" }, })
 field({ descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "Scaled mag",
     doc = "Measured magnetic field, temperature compensated.", least = 12,
@@ -2993,25 +2993,25 @@ field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "
     doc = "Time integral of the angular rate over the period that the message format sets.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
 field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
     doc = "Time integral of the acceleration over the period that the message format sets.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_velocity", title = "Delta velocity" }, })
 field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
     rows = {
-      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_orientation_matrix", title = "Complementary filter orientation matrix" }, })
 field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
 field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
     doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
@@ -3023,9 +3023,9 @@ field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", tit
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
 field({ descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
     doc = "Raw readings of four temperature sensors.", least = 8,
@@ -3064,7 +3064,7 @@ field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Co
     doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
 field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "GPS time of the sensor data.", least = 12,
@@ -3114,8 +3114,8 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Valid if valid_flags.horizontal_accuracy is set." },
@@ -3134,10 +3134,10 @@ field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if valid_flags.heading is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Valid if valid_flags.speed_accuracy is set." },
       { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Valid if valid_flags.heading_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which values are valid." },
@@ -3146,7 +3146,7 @@ field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", titl
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
     always = 3,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Valid if valid_flags.velocity_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
@@ -3566,8 +3566,8 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
     doc = "Estimated position.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
@@ -3575,32 +3575,32 @@ field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", tit
     doc = "Estimated velocity.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
@@ -3659,24 +3659,24 @@ field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
-    doc = "Compensated acceleration minus the estimated gravity.", least = 14,
+    doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
     doc = "Angular rate without the estimated bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
@@ -3706,14 +3706,14 @@ field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", t
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
     doc = "The last heading that updated the filter and where it came from.", least = 12,
     always = 4,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
@@ -3775,7 +3775,7 @@ field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title
     doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
@@ -3920,7 +3920,7 @@ field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", ti
     doc = "Estimated velocity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
@@ -3983,7 +3983,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },

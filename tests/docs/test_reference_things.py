@@ -425,6 +425,19 @@ def test_mean_motion_is_wrong_for_all_systems() -> None:
 
 
 def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:
-    rows = rows_of(manual.page("units.md"))
-    for word in (*manual.model.protocol.units, *manual.model.protocol.frames):
-        assert [word.symbol, word.title, prose(word.description, manual.model)] in rows
+    rows, of = rows_of(manual.page("units.md")), manual.model
+    for word in of.protocol.units:
+        assert [word.symbol, word.title, prose(word.description, of)] in rows
+    for word in of.protocol.frames:
+        axes = ", ".join(word.axes).replace("_", " ")
+        assert [word.symbol, word.title, axes, prose(word.origin, of), prose(word.description, of)] in rows
+        for c in word.conversions:
+            axes, values = ", ".join(c.axes).replace("_", " "), ", ".join(c.values)
+            assert [word.symbol, c.title, axes, values, prose(c.description, of)] in rows
+
+
+def test_vectors_become_those_of_other_software() -> None:
+    """As REP-103 has them: x forward and z up, in a world whose x points east."""
+    frames = {f.symbol: {c.name: c.values for c in f.conversions} for f in model("real").protocol.frames}
+    assert frames["vehicle"] == frames["sensor"] == {"rep_103": ("x", "-y", "-z")}
+    assert frames["ned"] == {"enu": ("y", "x", "-z")}

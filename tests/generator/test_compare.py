@@ -39,6 +39,7 @@ PORT = "{name: port, type: u8, for: WRS"
         (DATA, "unit: m,", "unit: s,", "wire", "measurements.accel.accel: unit s, was m"),
         (DATA, "frame: sensor, ", "", "wire", "frame none, was sensor"),
         (DATA, "unit: m,", "unit: m, range: [0, ~],", "compatible", "range 0, open, was open, open"),
+        (DATA, "unit: m,", "unit: m, at_rest: [0, 0, -1],", "compatible", "at rest 0, 0, -1, was none"),
         (DATA, ", valid: flags.ready", "", "wire", "valid none, was flags.ready"),
         (DATA, "unit: m,", "unit: m, default: [0, 0, 1],", "compatible", "default 0, 0, 1, was none"),
         (DATA, "unit: m,", "unit: m, magnitude: [0, 9],", "compatible", "magnitude 0, 9, was open, open"),

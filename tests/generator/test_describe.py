@@ -169,6 +169,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "measurements.accel:scaled_accel",
             {
+                "at_rest": "At rest and level: x 0, z -1.",
+                "positive": "Positive: along <point>.",
                 "elements": "Elements: x, y, z.",
                 "unit": "Unit: g.",
                 "frame": "Frame: <sensor>.",

@@ -705,13 +705,12 @@ class LlhPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhAxisFlags.LATITUDE` of
-    `valid_flags` is set.
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `LlhAxisFlags.LATITUDE` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhAxisFlags.LONGITUDE` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
     """
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of
@@ -1131,7 +1130,9 @@ class TrueHeading(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     heading: float
-    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    clockwise seen from above.
+    """
     uncertainty: float
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int

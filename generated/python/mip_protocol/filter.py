@@ -936,11 +936,9 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-    states; 0 to 360 is the other usual one.
-    """
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     altitude: float
     """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
     manual does not say; its glossary counts altitudes from sea level.
@@ -2620,11 +2618,16 @@ class SetInitialAttitude(Command[None]):
     _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("heading", "f", None))
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    right side down.
+    """
     pitch: float
-    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+    Positive: nose up.
+    """
     heading: float
     """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    Positive: clockwise seen from above.
     """
 
     def __init__(self, roll: float, pitch: float, heading: float) -> None:
@@ -2676,7 +2679,9 @@ class SetInitialHeading(Command[None]):
     _LAYOUT = (("heading", "f", None),)
 
     heading: float
-    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    Positive: clockwise seen from above.
+    """
 
     def __init__(self, heading: float) -> None:
         self.heading = heading
@@ -3541,11 +3546,9 @@ class ExternalGnssUpdate(Command[None]):
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-    states; 0 to 360 is the other usual one.
-    """
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
@@ -3647,7 +3650,7 @@ class ExternalHeadingUpdate(Command[None]):
 
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793.
+    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
@@ -4520,7 +4523,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     """GPS week, counted without rollover. Unit: week."""
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793.
+    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
@@ -4888,10 +4891,9 @@ class ReferencePosition(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for `write`."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for `write`."""
     longitude: float | None
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for `write`. Uncertain: The
-    range, which no source states; 0 to 360 is the other usual one.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for `write`.
     """
     altitude: float | None
     """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or

@@ -399,13 +399,12 @@ class LlhPosition(Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags`
@@ -474,12 +473,17 @@ class NedVelocity(Data):
     )
 
     north: float
-    """Velocity north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     east: float
-    """Velocity east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     down: float
-    """Velocity down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -546,8 +550,8 @@ class AttitudeQuaternion(Data):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
+    x 0, y 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -613,7 +617,8 @@ class AttitudeDcm(Data):
 
     dcm: types.Matrix3f
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -658,7 +663,8 @@ class EulerAngles(Data):
     `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`,
     `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
     `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
-    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain:
+    which no source states.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -682,11 +688,17 @@ class EulerAngles(Data):
     )
 
     roll: float
-    """Roll. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+    level: 0. Positive: right side down. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     pitch: float
-    """Pitch. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+    level: 0. Positive: nose up. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     yaw: float
-    """Yaw. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    clockwise seen from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1130,7 +1142,7 @@ _LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
-    Compensated acceleration minus the estimated gravity.
+    Rate of change of the velocity, with the effect of gravity removed.
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
@@ -1154,8 +1166,8 @@ class LinearAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0,
+    y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1207,7 +1219,8 @@ class CompAngularRate(Data):
     _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
-    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+    0. Positive: right side down, nose up, clockwise seen from above. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -1256,7 +1269,9 @@ class Wgs84GravityMagnitude(Data):
     _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     gravity_magnitude: float
-    """Magnitude of gravity. Unit: m/s^2. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1488,8 +1503,9 @@ class GravityVector(Data):
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
-    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The sign, which no source
+    states. Gravity points down.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1544,8 +1560,8 @@ class HeadingUpdateState(Data):
     )
 
     heading: float
-    """Heading of the sensor frame relative to true north. Unit: rad. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
+    above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
     """Standard deviation of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is
@@ -2058,8 +2074,8 @@ class CompAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
+    -9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3177,8 +3193,8 @@ class EcefVelocity(Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
+    if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3657,7 +3673,9 @@ class GnssDualAntennaStatus(Data):
     `valid_flags` is set.
     """
     heading: float
-    """Heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Heading. Unit: rad. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     heading_uncertainty: float
     """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """

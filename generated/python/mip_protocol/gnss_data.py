@@ -769,13 +769,12 @@ class LlhPosition(Shared, Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhPositionFlags.LAT_LON` of
-    `valid_flags` is set.
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhPositionFlags.LAT_LON` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
@@ -977,8 +976,8 @@ class NedVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Ned3f,)}
 
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-    `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0,
+    east 0, down 0. Valid if `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     speed: float
     """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
@@ -987,8 +986,8 @@ class NedVelocity(Shared, Data):
     set.
     """
     heading: float
-    """Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
-    `NedVelocityFlags.HEADING` of `valid_flags` is set.
+    """Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from
+    above. Valid if `NedVelocityFlags.HEADING` of `valid_flags` is set.
     """
     speed_accuracy: float
     """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
@@ -1079,8 +1078,8 @@ class EcefVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
-    `valid_flags` is set.
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
+    if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     velocity_accuracy: float
     """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of

@@ -220,7 +220,8 @@ class ScaledAccel(Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle."""
+    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
+    """
 
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
@@ -276,7 +277,9 @@ class ScaledGyro(Data):
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
-    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle."""
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+    0. Positive: right side down, nose up, clockwise seen from above.
+    """
 
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
         self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
@@ -381,7 +384,9 @@ class DeltaTheta(Data):
     _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle."""
+    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and
+    level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+    """
 
     def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
         self.delta_theta = codec.vector(delta_theta, types.Vector3f)
@@ -414,7 +419,8 @@ class DeltaVelocity(Data):
     `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported
     by 3DM-GX5-35 and 3DM-GX5-45.
 
-    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity.
+    Divided by the period, z is -1 g on a device that is level and at rest.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -432,7 +438,9 @@ class DeltaVelocity(Data):
     _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle."""
+    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and
+    level: x 0, y 0.
+    """
 
     def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
         self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
@@ -482,7 +490,7 @@ class CompOrientationMatrix(Data):
 
     m: types.Matrix3f
     """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-    m31, m32, m33. Unit: 1. Frame: ned.
+    m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
 
     - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
@@ -535,7 +543,7 @@ class CompQuaternion(Data):
 
     q: types.Quatf
     """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-    ned.
+    ned. At rest and level: x 0, y 0.
 
     - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
@@ -611,7 +619,8 @@ class CompEulerAngles(Data):
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
     `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
+    ranges of the angles. Uncertain: which no source states.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -630,11 +639,17 @@ class CompEulerAngles(Data):
     _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest
+    and level: 0. Positive: right side down.
+    """
     pitch: float
-    """Pitch angle. Unit: rad. Frame: ned."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest
+    and level: 0. Positive: nose up.
+    """
     yaw: float
-    """Yaw angle. Unit: rad. Frame: ned."""
+    """Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    clockwise seen from above.
+    """
 
     def __init__(self, roll: float, pitch: float, yaw: float) -> None:
         self.roll = roll
@@ -939,7 +954,7 @@ class UpVector(Data):
 
     stabilized_accel: types.Vector3f
     """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-    sensor.
+    sensor. At rest and level: x 0, y 0, z -1.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:

@@ -26,7 +26,8 @@ Verdict = Literal["same", "compatible", "source", "wire"]
 CLASSES: Final = (
     "added", "affects", "bound", "concerns", "condition", "constant", "default", "deprecated", "description", "devices",
     "documentation", "frame", "functions", "language", "layout", "magnitude", "name", "profile", "range", "reading",
-    "removed", "responses", "short name", "type", "typical value", "unit", "unknown", "valid", "value", "value to send", "values",
+    "removed", "responses", "short name", "sign", "type", "typical value", "unit", "unknown", "valid", "value",
+    "value to send", "values",
 )  # fmt: skip
 
 #: From harmless to worst.
@@ -246,7 +247,10 @@ def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Chan
         yield Change("wire", "condition", name, "answers under other conditions")
     if old.devices != new.devices:
         yield Change("compatible", "devices", name, "a layout of other devices")
-    relations = {"affects": (old.affects, new.affects), "may affect": (old.may_affect, new.may_affect)}
+    relations: dict[str, tuple[object, object]] = {
+        "affects": (old.affects, new.affects),
+        "may affect": (old.may_affect, new.may_affect),
+    }
     yield from _differences("compatible", name, relations, "affects")
     if old.deprecated != new.deprecated:
         yield Change("compatible", "deprecated", name, "deprecated" if new.deprecated else "no longer deprecated")
@@ -315,6 +319,10 @@ def _parameters(
             "valid": (a.valid, b.valid),
         }
         yield from _differences("wire", subject, meaning)
+        known: Verdict = "wire" if a.at_rest or a.positive else "compatible"
+        yield from _differences(
+            known, subject, {"at rest": (a.at_rest, b.at_rest), "positive": (a.positive, b.positive)}, "sign"
+        )
         harmless = {
             "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
             "bound": ((a.above, a.below), (b.above, b.below)),

@@ -205,6 +205,8 @@ class Layout:
             units=meaning.units(node, p, words.units, self.problem),
             any_unit="unit" in node and node["unit"].value is None,
             frame=frame,
+            at_rest=meaning.at_rest(node, p, self.problem),
+            positive=node.scalar("positive", ""),
             default=meaning.default(node, p, self.problem),
             shown=node.scalar("shown"),
             fields_of=node.scalar("fields_of", ""),

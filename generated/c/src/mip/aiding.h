@@ -614,14 +614,13 @@ struct mip_aiding_llh_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
-     * source states; 0 to 360 is the other usual one.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
      */
     double longitude;
     /**
@@ -712,11 +711,10 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
@@ -1274,7 +1272,10 @@ struct mip_aiding_true_heading {
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
-    /** Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * clockwise seen from above.
+     */
     float heading;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     float uncertainty;
@@ -1347,6 +1348,7 @@ static inline mip_error mip_aiding_true_heading_encode_inline(
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
  * - valid_flags: Not 0: the measurement is valid.
  */

@@ -246,11 +246,10 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
@@ -476,6 +475,7 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
  * - valid_flags: Not 0: the measurement is valid.
  */

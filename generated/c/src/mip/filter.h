@@ -382,12 +382,19 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
 struct mip_filter_set_initial_attitude {
-    /** Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * right side down.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. */
+    /**
+     * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+     * Positive: nose up.
+     */
     float pitch;
     /**
      * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+     * Positive: clockwise seen from above.
      */
     float heading;
 };
@@ -447,9 +454,11 @@ static inline mip_error mip_filter_set_initial_attitude_encode_inline(
  * Set initial attitude. Fills the structure and returns its address.
  *
  * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: right side down.
  * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ *   Positive: nose up.
  * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
@@ -478,7 +487,10 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
  */
 struct mip_filter_set_initial_heading {
-    /** Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+     * Positive: clockwise seen from above.
+     */
     float heading;
 };
 
@@ -533,7 +545,7 @@ static inline mip_error mip_filter_set_initial_heading_encode_inline(
  * Set initial heading. Fills the structure and returns its address.
  *
  * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
@@ -1655,12 +1667,9 @@ struct mip_filter_external_gnss_update {
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-     * states; 0 to 360 is the other usual one.
-     */
+    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
@@ -1750,9 +1759,8 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -1799,7 +1807,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
 struct mip_filter_external_heading_update {
     /**
      * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -1866,7 +1874,7 @@ static inline mip_error mip_filter_external_heading_update_encode_inline(
  * External heading update. Fills the structure and returns its address.
  *
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -3049,7 +3057,7 @@ struct mip_filter_external_heading_update_with_time {
     uint16_t week_number;
     /**
      * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -3122,7 +3130,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
  * - tow: GPS time of week of the measurement. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -3560,12 +3568,9 @@ struct mip_filter_reference_position {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for write. */
     double latitude;
-    /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain: The
-     * range, which no source states; 0 to 360 is the other usual one.
-     */
+    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for write. */
     double longitude;
     /**
      * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
@@ -3599,9 +3604,10 @@ static inline mip_error mip_filter_reference_position_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
- *   The range, which no source states; 0 to 360 is the other usual one.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+ *   write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+ *   write.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.
@@ -3656,12 +3662,9 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-     * states; 0 to 360 is the other usual one.
-     */
+    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /**
      * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The

@@ -52,9 +52,11 @@ static inline mip_error mip_send_filter_set_initial_attitude(
  * Set initial attitude. See mip_device_call.
  *
  * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: right side down.
  * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ *   Positive: nose up.
  * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
                                                                      float roll, float pitch,
@@ -91,7 +93,7 @@ static inline mip_error mip_send_filter_set_initial_heading(
  * Set initial heading. See mip_device_call.
  *
  * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
                                                                     float heading) {
@@ -647,9 +649,8 @@ static inline mip_error mip_send_filter_external_gnss_update(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -696,7 +697,7 @@ static inline mip_error mip_send_filter_external_heading_update(
  * External heading update. See mip_device_call.
  *
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1275,7 +1276,7 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
  * - tow: GPS time of week of the measurement. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1505,9 +1506,10 @@ static inline mip_error mip_send_filter_reference_position(
  * Set reference position: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
- *   The range, which no source states; 0 to 360 is the other usual one.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+ *   write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+ *   write.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.

@@ -434,14 +434,13 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  */
 struct mip_filter_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The range, which no
-     * source states; 0 to 360 is the other usual one.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double longitude;
     /**
@@ -526,18 +525,18 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
  */
 struct mip_filter_data_ned_velocity {
     /**
-     * Velocity north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Velocity east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Velocity down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
     /** Validity of the values. */
@@ -627,8 +626,8 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  */
 struct mip_filter_data_attitude_quaternion {
     /**
-     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
+     * x 0, y 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
     /** Validity of the values. */
@@ -719,7 +718,8 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
 struct mip_filter_data_attitude_dcm {
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float dcm[9];
     /** Validity of the values. */
@@ -801,7 +801,8 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  * MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE of mip_filter_data_gx5_status_flags,
  * MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING of mip_filter_data_cv7_status_flags and
  * MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING of mip_filter_data_cv7_status_flags. Supported
- * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain:
+ * which no source states.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -810,17 +811,20 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  */
 struct mip_filter_data_euler_angles {
     /**
-     * Roll. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+     * level: 0. Positive: right side down. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float roll;
     /**
-     * Pitch. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+     * level: 0. Positive: nose up. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
      * set.
      */
     float pitch;
     /**
-     * Yaw. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * clockwise seen from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
     /** Validity of the values. */
@@ -1451,7 +1455,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
- * Compensated acceleration minus the estimated gravity.
+ * Rate of change of the velocity, with the effect of gravity removed.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
  * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
@@ -1463,8 +1467,8 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_linear_accel {
     /**
-     * Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0,
+     * y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
     /** Validity of the values. */
@@ -1541,7 +1545,8 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
  */
 struct mip_filter_data_comp_angular_rate {
     /**
-     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+     * 0. Positive: right side down, nose up, clockwise seen from above. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gyro[3];
@@ -1617,8 +1622,8 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
  */
 struct mip_filter_data_wgs84_gravity_magnitude {
     /**
-     * Magnitude of gravity. Unit: m/s^2. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
-     * is set.
+     * Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
     /** Validity of the values. */
@@ -1944,8 +1949,9 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
  */
 struct mip_filter_data_gravity_vector {
     /**
-     * Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The sign, which
+     * no source states. Gravity points down.
      */
     float gravity[3];
     /** Validity of the values. */
@@ -2019,8 +2025,8 @@ static inline mip_error mip_filter_data_gravity_vector_encode_inline(
  */
 struct mip_filter_data_heading_update_state {
     /**
-     * Heading of the sensor frame relative to true north. Unit: rad. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
+     * above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
@@ -2652,8 +2658,8 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_comp_accel {
     /**
-     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
+     * -9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
     /** Validity of the values. */
@@ -4125,8 +4131,8 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
  */
 struct mip_filter_data_ecef_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
+     * if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity[3];
     /** Validity of the values. */
@@ -4735,7 +4741,10 @@ struct mip_filter_data_gnss_dual_antenna_status {
      * in valid_flags is set.
      */
     float tow;
-    /** Heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Heading. Unit: rad. Positive: clockwise seen from above. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float heading;
     /**
      * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in

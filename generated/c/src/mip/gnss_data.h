@@ -628,14 +628,13 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  */
 struct mip_gnss_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set. Uncertain: The range, which
-     * no source states; 0 to 360 is the other usual one.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double longitude;
     /**
@@ -832,8 +831,8 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  */
 struct mip_gnss_data_ned_velocity {
     /**
-     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0,
+     * east 0, down 0. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
     /**
@@ -847,8 +846,8 @@ struct mip_gnss_data_ned_velocity {
      */
     float ground_speed;
     /**
-     * Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
-     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
+     * Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from
+     * above. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
      */
     float heading;
     /**
@@ -950,8 +949,8 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
  */
 struct mip_gnss_data_ecef_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
+     * if MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
     /**

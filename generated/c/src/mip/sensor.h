@@ -276,7 +276,9 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
  */
 struct mip_sensor_scaled_accel {
-    /** Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. */
+    /**
+     * Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
+     */
     float scaled_accel[3];
 };
 
@@ -354,7 +356,10 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
  */
 struct mip_sensor_scaled_gyro {
-    /** Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. */
+    /**
+     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+     * 0. Positive: right side down, nose up, clockwise seen from above.
+     */
     float scaled_gyro[3];
 };
 
@@ -502,7 +507,10 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
  */
 struct mip_sensor_delta_theta {
-    /** Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. */
+    /**
+     * Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+     */
     float delta_theta[3];
 };
 
@@ -571,11 +579,16 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
+ * It includes gravity. Divided by the period, z is -1 g on a device that is level and at rest.
+ *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
  */
 struct mip_sensor_delta_velocity {
-    /** Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. */
+    /**
+     * Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and
+     * level: x 0, y 0.
+     */
     float delta_velocity[3];
 };
 
@@ -648,8 +661,8 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
 struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor
-     * frame.
+     * m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On
+     * the 3DM-GX5-15: From the NED frame to the sensor frame.
      */
     float m[9];
 };
@@ -724,7 +737,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
 struct mip_sensor_comp_quaternion {
     /**
      * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-     * ned. On the 3DM-GX5-15: Between NED and the sensor frame.
+     * ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
@@ -859,7 +872,8 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
  * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
- * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The
+ * ranges of the angles. Uncertain: which no source states.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -867,11 +881,20 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
 struct mip_sensor_comp_euler_angles {
-    /** Roll angle. Unit: rad. Frame: ned. */
+    /**
+     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest
+     * and level: 0. Positive: right side down.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. Frame: ned. */
+    /**
+     * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest
+     * and level: 0. Positive: nose up.
+     */
     float pitch;
-    /** Yaw angle. Unit: rad. Frame: ned. */
+    /**
+     * Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * clockwise seen from above.
+     */
     float yaw;
 };
 
@@ -1313,7 +1336,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
 struct mip_sensor_up_vector {
     /**
      * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-     * sensor.
+     * sensor. At rest and level: x 0, y 0, z -1.
      */
     float stabilized_accel[3];
 };

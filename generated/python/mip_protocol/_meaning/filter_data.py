@@ -60,9 +60,9 @@ TYPES: dict[str, Info] = {
     "EulerAngles": FieldInfo(
         "filter_data.euler_angles", filter_data.EulerAngles, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"),
         parameters=(
-            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),

@@ -81,9 +81,9 @@ TYPES: dict[str, Info] = {
     "CompEulerAngles": FieldInfo(
         "sensor.comp_euler_angles", sensor.CompEulerAngles, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), frame="ned"),
-            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), frame="ned"),
-            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), frame="ned"),
+            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
+            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned"),
+            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
         ),
     ),
     "OrientationRawTemperature": FieldInfo(

@@ -372,14 +372,13 @@ record! {
         pub frame_id: u8,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set. Uncertain: The range, which
-        /// no source states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -697,7 +696,8 @@ record! {
         pub frame_id: u8,
         /// Heading.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Uncertainty of the heading.
         ///

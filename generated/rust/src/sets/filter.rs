@@ -382,15 +382,18 @@ record! {
     pub struct SetInitialAttitude {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right
+        /// side down.
         pub roll: f32,
         /// Pitch angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose
+        /// up.
         pub pitch: f32,
         /// Heading (yaw) angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
     }
 }
@@ -438,7 +441,8 @@ record! {
     pub struct SetInitialHeading {
         /// Initial heading.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
     }
 }
@@ -991,12 +995,11 @@ record! {
         pub week_number: u16,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
-        /// 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -1062,7 +1065,8 @@ record! {
     pub struct ExternalHeadingUpdate {
         /// Heading relative to the north that `type` names.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
@@ -1589,7 +1593,8 @@ record! {
         pub week_number: u16,
         /// Heading relative to the north that `type` names.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
@@ -1871,14 +1876,13 @@ record! {
         pub enable: Option<u8>,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Required for
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Required for
-        /// [write](types::FunctionSelector::WRITE). Uncertain: The range, which no source states; 0
-        /// to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub longitude: Option<f64>,
         /// Altitude.
         ///
@@ -4395,12 +4399,11 @@ record! {
         pub enable: u8,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
-        /// 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
         /// Altitude.
         ///

@@ -403,14 +403,13 @@ record! {
     pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The range, which no source
-        /// states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -453,15 +452,18 @@ record! {
     pub struct NedVelocity {
         /// Velocity north.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Velocity east.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Velocity down.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -518,7 +520,7 @@ record! {
     pub struct AttitudeQuaternion {
         /// Quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
         /// Validity of the values.
@@ -578,7 +580,8 @@ record! {
     pub struct AttitudeDcm {
         /// Rotation matrix in row-major order.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. Valid if
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
+        /// level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub dcm: types::Matrix3f,
         /// Validity of the values.
@@ -629,7 +632,8 @@ record! {
     /// [`Gx5StatusFlags`], [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of
     /// [`Cv7StatusFlags`] and [`heading_warning`](Cv7StatusFlags::heading_warning) of
     /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The ranges of the angles. Uncertain: which no source states.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -639,15 +643,19 @@ record! {
     pub struct EulerAngles {
         /// Roll.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+        /// level: 0. Positive: right side down. Valid if [`valid_flags.valid`](ValidFlags::valid)
+        /// is set.
         pub roll: f32,
         /// Pitch.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+        /// level: 0. Positive: nose up. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pitch: f32,
         /// Yaw.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -903,7 +911,7 @@ field! {
 record! {
     /// Linear acceleration (0x82,0x0D).
     ///
-    /// Compensated acceleration minus the estimated gravity.
+    /// Rate of change of the velocity, with the effect of gravity removed.
     ///
     /// Changed by
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
@@ -923,8 +931,8 @@ record! {
     pub struct LinearAccel {
         /// Linear acceleration.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid
+        /// if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -959,7 +967,8 @@ record! {
     pub struct CompAngularRate {
         /// Angular rate.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gyro: types::Vector3f,
         /// Validity of the values.
@@ -988,7 +997,8 @@ record! {
     pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
-        /// Unit: m/s^2. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s^2. At rest and level: 9.8. Valid if [`valid_flags.valid`](ValidFlags::valid)
+        /// is set.
         pub gravity_magnitude: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1190,8 +1200,9 @@ record! {
     pub struct GravityVector {
         /// Gravity.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
+        /// source states. Gravity points down.
         pub gravity: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1218,7 +1229,8 @@ record! {
     pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading: f32,
         /// Standard deviation of the heading.
         ///
@@ -1464,8 +1476,8 @@ record! {
     pub struct CompAccel {
         /// Acceleration.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -2048,7 +2060,7 @@ record! {
     pub struct EcefVelocity {
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity: types::Vector3f,
         /// Validity of the values.
@@ -2299,7 +2311,8 @@ record! {
         pub tow: f32,
         /// Heading.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading: f32,
         /// Uncertainty of the heading.
         ///

@@ -931,14 +931,13 @@ record! {
     pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set. Uncertain: The range, which
-        /// no source states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -1022,8 +1021,8 @@ record! {
     pub struct NedVelocity {
         /// Velocity.
         ///
-        /// Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-        /// [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0, east 0,
+        /// down 0. Valid if [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
         pub velocity: types::Ned3f,
         /// Speed in space.
         ///
@@ -1035,8 +1034,8 @@ record! {
         pub ground_speed: f32,
         /// Direction of the motion over ground.
         ///
-        /// Unit: deg. Frame: ned. Valid if [`valid_flags.heading`](NedVelocityFlags::heading) is
-        /// set.
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.heading`](NedVelocityFlags::heading) is set.
         pub heading: f32,
         /// Accuracy of the speed.
         ///
@@ -1075,7 +1074,7 @@ record! {
     pub struct EcefVelocity {
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
         pub velocity: types::Vector3f,
         /// Accuracy of the velocity.

@@ -164,7 +164,7 @@ record! {
     pub struct ScaledAccel {
         /// Acceleration.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: vehicle.
+        /// Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
         pub scaled_accel: types::Vector3f,
     }
 }
@@ -214,7 +214,8 @@ record! {
     pub struct ScaledGyro {
         /// Angular rate.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle.
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above.
         pub scaled_gyro: types::Vector3f,
     }
 }
@@ -301,7 +302,8 @@ record! {
     pub struct DeltaTheta {
         /// Integral of the angular rate.
         ///
-        /// Elements: x, y, z. Unit: rad. Frame: vehicle.
+        /// Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above.
         pub delta_theta: types::Vector3f,
     }
 }
@@ -333,6 +335,8 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    /// - It includes gravity. Divided by the period, z is -1 g on a device that is level and at
+    ///   rest.
     ///
     /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
     /// Velocity (0x80,0x08).
@@ -340,7 +344,7 @@ record! {
     pub struct DeltaVelocity {
         /// Integral of the acceleration.
         ///
-        /// Elements: x, y, z. Unit: g\*s. Frame: vehicle.
+        /// Elements: x, y, z. Unit: g\*s. Frame: vehicle. At rest and level: x 0, y 0.
         pub delta_velocity: types::Vector3f,
     }
 }
@@ -375,8 +379,9 @@ record! {
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. On the
-        /// [3DM-GX5-15](crate::devices::GX5_15): From the NED frame to the sensor frame.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
+        /// level: m13 0, m23 0, m31 0, m32 0, m33 1. On the [3DM-GX5-15](crate::devices::GX5_15):
+        /// From the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
 }
@@ -410,8 +415,8 @@ record! {
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Frame: ned. On the [3DM-GX5-15](crate::devices::GX5_15):
-        /// Between NED and the sensor frame.
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): Between NED and the sensor frame.
         pub q: types::Quatf,
     }
 }
@@ -461,7 +466,8 @@ record! {
     /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The ranges of the angles. Uncertain: which
+    /// no source states.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -471,15 +477,18 @@ record! {
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+        /// level: 0. Positive: right side down.
         pub roll: f32,
         /// Pitch angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+        /// level: 0. Positive: nose up.
         pub pitch: f32,
         /// Yaw angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub yaw: f32,
     }
 }
@@ -661,7 +670,7 @@ record! {
     pub struct UpVector {
         /// The part of the measured acceleration that gravity causes.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.
         pub stabilized_accel: types::Vector3f,
     }
 }

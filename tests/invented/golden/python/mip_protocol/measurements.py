@@ -44,9 +44,10 @@ class Accel(Shared, Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
-    flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
-    z: `types.StateFlags.READY` of `valid_flags`.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, z -1.
+    Positive: along `types.Point`. Each element has its own valid flag. x: `types.StateFlags.READY`
+    of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`, z: `types.StateFlags.READY` of
+    `valid_flags`.
 
     - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of
       `valid_flags`, y: `types.StateFlags.READY` of `valid_flags`, z: `types.StateFlags.HOT` of

@@ -33,7 +33,8 @@ record! {
     pub struct Accel {
         /// Specific force.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid flag. x:
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, z -1. Positive: along
+        /// [`types::Point`]. Each element has its own valid flag. x:
         /// [`valid_flags.ready`](types::StateFlags::ready), y:
         /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
