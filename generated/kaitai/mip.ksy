@@ -3245,7 +3245,7 @@ types:
       - id: tow
         type: f8
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         if: function_value == function_selector::write or _io.size >= 11
@@ -3253,7 +3253,7 @@ types:
       - id: accuracy
         type: f4
         if: function_value == function_selector::write or _io.size >= 15
-        doc: "Accuracy of the time. Unit: s."
+        doc: "Accuracy of the time. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
     doc: PPS Source Control. Where the device takes its pulse per second from.
@@ -3678,7 +3678,7 @@ types:
       - id: uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
+        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
     doc: Advanced Low-Pass Filter Settings. Low-pass filter of one quantity of the sensor data.
@@ -4641,13 +4641,13 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number since 1980. Unit: week."
       - id: accuracy
         type: f4
-        doc: "Accuracy of the time. Unit: s."
+        doc: "Accuracy of the time. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control_response:
     -orig-id: 3dm.pps_source_control_response
     doc: "PPS Source Control response. "
@@ -4837,7 +4837,7 @@ types:
         doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
-        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
+        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_sensor_range_response:
     -orig-id: 3dm.sensor_range_response
     doc: "Sensor Range response. "
@@ -5013,7 +5013,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week, counted without rollover. Unit: week."
@@ -5031,10 +5031,10 @@ types:
         doc: "Velocity. Unit: m/s. Frame: ned."
       - id: position_uncertainty
         type: ned3f
-        doc: "Standard deviation of the position. Unit: m. Frame: ned."
+        doc: "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0."
       - id: velocity_uncertainty
         type: ned3f
-        doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned."
+        doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
     doc: External heading update. Gives the filter one measurement of the heading of the sensor frame in the NED frame.
@@ -5159,7 +5159,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week of the measurement. Unit: s."
+        doc: "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week, counted without rollover. Unit: week."
@@ -5368,15 +5368,15 @@ types:
       - id: low_limit_uncertainty
         type: f4
         if: _io.size >= 18
-        doc: "Standard deviation at the lower limit. Unit: m/s^2."
+        doc: "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         if: _io.size >= 22
-        doc: "Standard deviation at the upper limit. Unit: m/s^2."
+        doc: "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: _io.size >= 26
-        doc: "Smallest standard deviation. Unit: m/s^2."
+        doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement
     doc: Magnetometer magnitude error adaptive measurement. How far the filter trusts a magnetic field whose magnitude is not as expected.
@@ -5406,15 +5406,15 @@ types:
       - id: low_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Standard deviation at the lower limit. Unit: gauss."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 22
-        doc: "Standard deviation at the upper limit. Unit: gauss."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Smallest standard deviation. Unit: gauss."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
   filter_mag_dip_angle_error_adaptive_measurement:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement
     doc: Magnetometer dip angle error adaptive measurement. How far the filter trusts a magnetic field whose dip angle is not as expected.
@@ -5439,11 +5439,11 @@ types:
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Standard deviation at the upper limit. Unit: rad."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Smallest standard deviation. Unit: rad."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
     doc: Altitude aiding. What aids the altitude in addition to GNSS.
@@ -5708,13 +5708,13 @@ types:
         doc: "Send 1. Reserved: send 1."
       - id: tow
         type: f4
-        doc: "GPS time of week of the measurement. Unit: s."
+        doc: "GPS time of week of the measurement. Unit: s. Range: 0 to 604800."
       - id: speed
         type: f4
         doc: "Speed, negative in reverse. Unit: m/s. Frame: vehicle."
       - id: speed_uncertainty
         type: f4
-        doc: "Standard deviation of the speed. Unit: m/s."
+        doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
   filter_speed_lever_arm:
     -orig-id: filter.speed_lever_arm
     doc: Speed measurement lever arm. Position of the point whose speed is measured, such as the wheel that an odometer is on.
@@ -5989,13 +5989,13 @@ types:
         doc: "Upper limit of the error. Unit: m/s^2."
       - id: low_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the lower limit. Unit: m/s^2."
+        doc: "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: m/s^2."
+        doc: "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: m/s^2."
+        doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement_response:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement_response
     doc: "Magnetometer magnitude error adaptive measurement response. "
@@ -6015,13 +6015,13 @@ types:
         doc: "Upper limit of the error. Unit: gauss."
       - id: low_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the lower limit. Unit: gauss."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: gauss."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: gauss."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
   filter_mag_dip_angle_error_adaptive_measurement_response:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement_response
     doc: "Magnetometer dip angle error adaptive measurement response. "
@@ -6037,10 +6037,10 @@ types:
         doc: "Upper limit of the error. Unit: rad."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: rad."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: rad."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
   filter_altitude_aiding_response:
     -orig-id: filter.altitude_aiding_response
     doc: "Altitude aiding response. "
@@ -6734,7 +6734,7 @@ types:
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the height. Unit: m."
+        doc: "Uncertainty of the height. Unit: m. Range: at least 0."
       - id: valid_flags
         type: u2
         doc: "Not 0: the measurement is valid."
@@ -7099,7 +7099,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow_valid` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set."
@@ -7149,7 +7149,7 @@ types:
         doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if `valid_flags.odometer` is set."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the speed. Unit: m/s. Valid if `valid_flags.odometer` is set."
+        doc: "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.odometer` is set."
       - id: valid_flags
         type: sensor_odometer_flags
         doc: Whether the values are valid.
@@ -7171,10 +7171,10 @@ types:
         doc: "Height above mean sea level. Unit: m. Valid if `valid_flags.msl_height` is set."
       - id: horizontal_accuracy
         type: f4
-        doc: "Horizontal accuracy. Unit: m. Valid if `valid_flags.horizontal_accuracy` is set."
+        doc: "Horizontal accuracy. Unit: m. Range: at least 0. Valid if `valid_flags.horizontal_accuracy` is set."
       - id: vertical_accuracy
         type: f4
-        doc: "Vertical accuracy. Unit: m. Valid if `valid_flags.vertical_accuracy` is set."
+        doc: "Vertical accuracy. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
       - id: valid_flags
         type: gnss_data_llh_position_flags
         doc: Which values are valid.
@@ -7187,7 +7187,7 @@ types:
         doc: "Position. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
       - id: position_accuracy
         type: f4
-        doc: "Accuracy of the position. Unit: m. Valid if `valid_flags.position_accuracy` is set."
+        doc: "Accuracy of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
         doc: Which values are valid.
@@ -7203,16 +7203,16 @@ types:
         doc: "Speed in space. Unit: m/s. Valid if `valid_flags.speed_3d` is set."
       - id: ground_speed
         type: f4
-        doc: "Speed over ground. Unit: m/s. Valid if `valid_flags.ground_speed` is set."
+        doc: "Speed over ground. Unit: m/s. Range: at least 0. Valid if `valid_flags.ground_speed` is set."
       - id: heading
         type: f4
         doc: "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
       - id: speed_accuracy
         type: f4
-        doc: "Accuracy of the speed. Unit: m/s. Valid if `valid_flags.speed_accuracy` is set."
+        doc: "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_accuracy` is set."
       - id: heading_accuracy
         type: f4
-        doc: "Accuracy of the heading. Unit: deg. Valid if `valid_flags.heading_accuracy` is set."
+        doc: "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
         doc: Which values are valid.
@@ -7225,7 +7225,7 @@ types:
         doc: "Velocity. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
       - id: velocity_accuracy
         type: f4
-        doc: "Accuracy of the velocity. Unit: m/s. Valid if `valid_flags.velocity_accuracy` is set."
+        doc: "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
         doc: Which values are valid.
@@ -7235,25 +7235,25 @@ types:
     seq:
       - id: gdop
         type: f4
-        doc: "Geometric dilution. Unit: 1. Valid if `valid_flags.gdop` is set."
+        doc: "Geometric dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.gdop` is set."
       - id: pdop
         type: f4
-        doc: "Position dilution. Unit: 1. Valid if `valid_flags.pdop` is set."
+        doc: "Position dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.pdop` is set."
       - id: hdop
         type: f4
-        doc: "Horizontal dilution. Unit: 1. Valid if `valid_flags.hdop` is set."
+        doc: "Horizontal dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.hdop` is set."
       - id: vdop
         type: f4
-        doc: "Vertical dilution. Unit: 1. Valid if `valid_flags.vdop` is set."
+        doc: "Vertical dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.vdop` is set."
       - id: tdop
         type: f4
-        doc: "Time dilution. Unit: 1. Valid if `valid_flags.tdop` is set."
+        doc: "Time dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.tdop` is set."
       - id: ndop
         type: f4
-        doc: "Northing dilution. Unit: 1. Valid if `valid_flags.ndop` is set."
+        doc: "Northing dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.ndop` is set."
       - id: edop
         type: f4
-        doc: "Easting dilution. Unit: 1. Valid if `valid_flags.edop` is set."
+        doc: "Easting dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.edop` is set."
       - id: valid_flags
         type: gnss_data_dop_flags
         doc: Which values are valid.
@@ -7291,7 +7291,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7310,7 +7310,7 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: accuracy_estimate
         type: f8
-        doc: "Estimated accuracy. Unit: s. Valid if `valid_flags.accuracy_estimate` is set."
+        doc: "Estimated accuracy. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
         doc: Which values are valid.
@@ -7444,10 +7444,10 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: bias_accuracy_estimate
         type: f8
-        doc: "Accuracy of the bias. Unit: s. Valid if `valid_flags.bias_accuracy` is set."
+        doc: "Accuracy of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.bias_accuracy` is set."
       - id: drift_accuracy_estimate
         type: f8
-        doc: "Accuracy of the drift. Unit: s/s. Valid if `valid_flags.drift_accuracy` is set."
+        doc: "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
         doc: Which values are valid.
@@ -7467,7 +7467,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7499,7 +7499,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week of the reception. Unit: s."
+        doc: "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -7558,7 +7558,7 @@ types:
         doc: "Heading of the baseline between the antennas. Unit: deg. Valid if `valid_flags.heading` is set."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: deg. Valid if `valid_flags.uncertainty` is set."
+        doc: "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.uncertainty` is set."
       - id: fix_type
         type: u1
         enum: gnss_data_heading_fix_type
@@ -7578,7 +7578,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7591,7 +7591,7 @@ types:
         doc: "Satellite within the constellation. Valid if `valid_flags.satellite_id` is set."
       - id: elevation
         type: f4
-        doc: "Elevation, as seen from the rover. Unit: deg. Valid if `valid_flags.elevation` is set."
+        doc: "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
       - id: azimuth
         type: f4
         doc: "Azimuth, as seen from the rover. Unit: deg. Valid if `valid_flags.azimuth` is set."
@@ -7613,7 +7613,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7652,13 +7652,13 @@ types:
         doc: "Doppler shift. Unit: Hz. Valid if `valid_flags.doppler` is set."
       - id: range_uncertainty
         type: f4
-        doc: "Uncertainty of the pseudorange. Unit: m. Valid if `valid_flags.range_uncertainty` is set."
+        doc: "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if `valid_flags.range_uncertainty` is set."
       - id: phase_uncertainty
         type: f4
-        doc: "Uncertainty of the carrier phase. Unit: cycle. Valid if `valid_flags.carrier_phase_uncertainty` is set."
+        doc: "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if `valid_flags.carrier_phase_uncertainty` is set."
       - id: doppler_uncertainty
         type: f4
-        doc: "Uncertainty of the Doppler shift. Unit: Hz. Valid if `valid_flags.doppler_uncertainty` is set."
+        doc: "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if `valid_flags.doppler_uncertainty` is set."
       - id: lock_time
         type: f4
         doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if `valid_flags.lock_time` is set."
@@ -7671,7 +7671,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week at which the message was received. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7696,7 +7696,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7738,7 +7738,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -7844,7 +7844,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -7924,7 +7924,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8030,7 +8030,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8130,7 +8130,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8153,7 +8153,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8174,7 +8174,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8290,13 +8290,13 @@ types:
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8306,13 +8306,13 @@ types:
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8322,13 +8322,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Standard deviation of roll. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Standard deviation of pitch. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Standard deviation of yaw. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8338,7 +8338,7 @@ types:
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8348,7 +8348,7 @@ types:
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8378,7 +8378,7 @@ types:
     seq:
       - id: gravity_magnitude
         type: f4
-        doc: "Magnitude of gravity. Unit: m/s^2. Valid if `valid_flags.valid` is set."
+        doc: "Magnitude of gravity. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8401,7 +8401,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.valid` is set."
       - id: week_number
         type: u2
         doc: "GPS week, counted from 1980. Unit: week. Valid if `valid_flags.valid` is set."
@@ -8414,7 +8414,7 @@ types:
     seq:
       - id: q
         type: quatf
-        doc: "Standard deviation per element. Unit: 1. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per element. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8437,7 +8437,7 @@ types:
         doc: "Heading of the sensor frame relative to true north. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation of the heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: source
         type: filter_data_heading_source_flags
         doc: Sources of the heading.
@@ -8492,7 +8492,7 @@ types:
     seq:
       - id: scale_factor_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8502,7 +8502,7 @@ types:
     seq:
       - id: scale_factor_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8522,7 +8522,7 @@ types:
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8604,7 +8604,7 @@ types:
     seq:
       - id: hard_iron_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8614,7 +8614,7 @@ types:
     seq:
       - id: soft_iron_uncertainty
         type: matrix3f
-        doc: "Standard deviation per element. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8654,7 +8654,7 @@ types:
     seq:
       - id: offset_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8683,10 +8683,10 @@ types:
         doc: "Receiver, counted from 1. Range: at least 1."
       - id: bias_uncertainty
         type: f4
-        doc: "Standard deviation of the bias. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: bias_drift_uncertainty
         type: f4
-        doc: "Standard deviation of the drift. Unit: s/s. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8712,7 +8712,7 @@ types:
         doc: Receiver that the antenna belongs to.
       - id: offset_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8722,7 +8722,7 @@ types:
     seq:
       - id: position_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8732,7 +8732,7 @@ types:
     seq:
       - id: velocity_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8775,7 +8775,7 @@ types:
         doc: Number of the receiver.
       - id: tow
         type: f4
-        doc: "GPS time of week of the last measurement. Unit: s."
+        doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
         doc: How the measurements are used.
@@ -8790,7 +8790,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
         doc: How the measurements are used.
@@ -8805,7 +8805,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: type
         type: u1
         enum: filter_data_heading_aiding_type
@@ -8821,7 +8821,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week at the end of the interval. Unit: s."
+        doc: "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800."
       - id: source
         type: u1
         doc: Number of the source of the measurement.
@@ -8848,7 +8848,7 @@ types:
     seq:
       - id: scale_factor_error_uncertainty
         type: f4
-        doc: "Uncertainty of the relative error. Unit: 1. Valid if `valid_flags.valid` is set."
+        doc: "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -8858,13 +8858,13 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last measurement. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
         doc: "Heading. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: fix_type
         type: u1
         enum: filter_data_dual_antenna_fix_type
@@ -8897,10 +8897,10 @@ types:
         doc: Number of the frame.
       - id: translation_uncertainty
         type: vector3f
-        doc: "Uncertainty of the translation. Unit: m."
+        doc: "Uncertainty of the translation. Unit: m. Range: at least 0."
       - id: attitude_uncertainty
         type: vector3f
-        doc: "Uncertainty of the rotation about each axis. Unit: rad."
+        doc: "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0."
   displacement_data_displacement_raw:
     -orig-id: displacement_data.displacement_raw
     doc: Raw displacement. Displacement in counts of the converter.
@@ -8978,7 +8978,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -12388,10 +12388,10 @@ enums:
       doc: On with reduced power.
     3:
       id: sleep
-      doc: Asleep.
+      doc: Very low power; starts quickly.
     4:
       id: "off"
-      doc: Off.
+      doc: Off or in deep sleep.
   mip_3dm_device_status_selector:
     1:
       id: basic
@@ -12632,7 +12632,7 @@ enums:
   gnss_receiver_reset_type:
     1:
       id: hardware
-      doc: Resets the receiver by its reset line.
+      doc: Resets the hardware of the receiver.
     2:
       id: cold
       doc: Restarts all software of the receiver.

@@ -1035,9 +1035,9 @@ field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", 
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
 field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
     doc = "Where the device takes its pulse per second from.", least = 1,
@@ -1233,7 +1233,7 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
     doc = "Low-pass filter of one quantity of the sensor data.", least = 1,
@@ -1696,9 +1696,9 @@ field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "r
     doc = "", least = 14,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." },
-      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." },
+      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS Time Assistance response" }, })
 field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
     doc = "", least = 1,
@@ -1802,7 +1802,7 @@ field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "respon
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." },
       { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
 field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
     doc = "", least = 2,
@@ -1907,14 +1907,14 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
     doc = "One measurement of position and velocity by a GNSS receiver of the user.", least = 70,
     always = 8,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
 field({ descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
@@ -1980,7 +1980,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
     doc = "Gives the filter one measurement of the heading of the sensor frame with its GPS time.", least = 19,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
@@ -2086,9 +2086,9 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement", title = "Gravity magnitude error adaptive measurement" }, })
 field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
@@ -2099,9 +2099,9 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement", title = "Magnetometer magnitude error adaptive measurement" }, })
 field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
@@ -2111,8 +2111,8 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
 field({ descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
     doc = "What aids the altitude in addition to GNSS.", least = 1,
@@ -2228,9 +2228,9 @@ field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", 
     always = 4,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed, negative in reverse. Unit: m/s. Frame: vehicle." },
-      { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s." },
+      { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
     doc = "Position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
@@ -2418,9 +2418,9 @@ field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." },
-      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." },
+      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement_response", title = "Gravity magnitude error adaptive measurement response" }, })
 field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measurement_response", role = "response", title = "Magnetometer magnitude error adaptive measurement response",
     doc = "", least = 25,
@@ -2430,9 +2430,9 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." },
-      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." },
+      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement_response", title = "Magnetometer magnitude error adaptive measurement response" }, })
 field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measurement_response", role = "response", title = "Magnetometer dip angle error adaptive measurement response",
     doc = "", least = 17,
@@ -2441,8 +2441,8 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
 field({ descriptor = 0xB7, name = "filter.altitude_aiding_response", role = "response", title = "Altitude aiding response",
     doc = "", least = 1,
@@ -2841,7 +2841,7 @@ field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "comma
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m. Range: at least 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
@@ -3070,7 +3070,7 @@ field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title =
     doc = "GPS time of the sensor data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
     } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
@@ -3107,7 +3107,7 @@ field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odo
     always = 3,
     rows = {
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Valid if valid_flags.odometer is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Whether the values are valid." },
     } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
 field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
@@ -3118,8 +3118,8 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
-      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Valid if valid_flags.horizontal_accuracy is set." },
-      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Vertical accuracy. Unit: m. Valid if valid_flags.vertical_accuracy is set." },
+      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
+      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Vertical accuracy. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
@@ -3127,7 +3127,7 @@ field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", titl
     always = 3,
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Valid if valid_flags.position_accuracy is set." },
+      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
@@ -3136,10 +3136,10 @@ field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
-      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
+      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Valid if valid_flags.speed_accuracy is set." },
-      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Valid if valid_flags.heading_accuracy is set." },
+      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
+      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
@@ -3147,20 +3147,20 @@ field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", titl
     always = 3,
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Valid if valid_flags.velocity_accuracy is set." },
+      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
     always = 8,
     rows = {
-      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Valid if valid_flags.gdop is set." },
-      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Valid if valid_flags.pdop is set." },
-      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Valid if valid_flags.hdop is set." },
-      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Valid if valid_flags.vdop is set." },
-      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Valid if valid_flags.tdop is set." },
-      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Valid if valid_flags.ndop is set." },
-      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Valid if valid_flags.edop is set." },
+      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Range: at least 0. Valid if valid_flags.gdop is set." },
+      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Range: at least 0. Valid if valid_flags.pdop is set." },
+      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Range: at least 0. Valid if valid_flags.hdop is set." },
+      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Range: at least 0. Valid if valid_flags.vdop is set." },
+      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
+      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
+      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
@@ -3180,7 +3180,7 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
     doc = "GPS time as the receiver knows it.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
@@ -3190,7 +3190,7 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Valid if valid_flags.accuracy_estimate is set." },
+      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
@@ -3259,8 +3259,8 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Valid if valid_flags.bias_accuracy is set." },
-      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Valid if valid_flags.drift_accuracy is set." },
+      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
+      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
@@ -3274,7 +3274,7 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
     doc = "Status of the satellite based augmentation.", least = 16,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_data.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set." },
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
@@ -3288,7 +3288,7 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3314,7 +3314,7 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
     plain = true,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Valid if valid_flags.uncertainty is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
@@ -3324,11 +3324,11 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "Whether the satellite is healthy. Valid if valid_flags.health is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which values are valid." },
@@ -3339,7 +3339,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set." },
       { kind = "scalar", name = "tracking_channel", type = "u8", size = 1, doc = "Channel that tracks the satellite. Valid if valid_flags.tracking_channel is set." },
@@ -3351,9 +3351,9 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Pseudorange. Unit: m. Valid if valid_flags.pseudorange is set." },
       { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
-      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Valid if valid_flags.range_uncertainty is set." },
-      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase_uncertainty is set." },
-      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Valid if valid_flags.doppler_uncertainty is set." },
+      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set." },
+      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
+      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if valid_flags.lock_time is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
@@ -3361,7 +3361,7 @@ field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", 
     doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the marker that was surveyed. Unit: m. Valid if valid_flags.height is set." },
@@ -3373,7 +3373,7 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
     doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
       { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
@@ -3390,7 +3390,7 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3429,7 +3429,7 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "frequency_number", type = "s8", size = 1, doc = "GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris is set." },
@@ -3459,7 +3459,7 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3498,7 +3498,7 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3535,7 +3535,7 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
     doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
@@ -3545,7 +3545,7 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
     doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
@@ -3555,7 +3555,7 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
     doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
@@ -3621,41 +3621,41 @@ field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role =
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
     doc = "Standard deviation of the estimated Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
 field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
     doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
 field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
     doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
@@ -3676,7 +3676,7 @@ field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = 
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
@@ -3691,7 +3691,7 @@ field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title 
     doc = "GPS time of the filter data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
@@ -3699,7 +3699,7 @@ field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty",
     doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
 field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
@@ -3714,7 +3714,7 @@ field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "da
     always = 4,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
@@ -3747,14 +3747,14 @@ field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", r
     doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
 field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
 field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
@@ -3768,7 +3768,7 @@ field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "da
     doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
@@ -3823,14 +3823,14 @@ field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "
     doc = "Standard deviation of the estimated hard iron offset.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
     doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
 field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
@@ -3858,7 +3858,7 @@ field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncerta
     doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
 field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
@@ -3875,8 +3875,8 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
@@ -3892,21 +3892,21 @@ field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_u
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
     doc = "Standard deviation of the estimated position.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
@@ -3935,7 +3935,7 @@ field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", rol
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
@@ -3943,7 +3943,7 @@ field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", rol
     doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
@@ -3951,7 +3951,7 @@ field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "d
     doc = "The heading measurement that the filter used last.", least = 13,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.heading_aiding_type"], doc = "Source of the heading." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.heading_aiding_status", title = "Heading aiding status" }, })
@@ -3959,7 +3959,7 @@ field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role
     doc = "What the filter did with one kind of aiding measurement in the last measurement interval.", least = 7,
     always = 4,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Number of the source of the measurement." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.aiding_measurement_type"], doc = "Kind of measurement." },
       { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "What the filter did with it." },
@@ -3975,16 +3975,16 @@ field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncer
     doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
     doc = "Heading that two GNSS antennas give.", least = 17,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
@@ -4002,8 +4002,8 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
 field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
     doc = "Displacement in counts of the converter.", least = 4,
@@ -4067,7 +4067,7 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
     doc = "External time of the data as GPS time of week and week number.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Which parts are valid." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })

@@ -802,7 +802,7 @@ class HeightAboveEllipsoid(Command[None]):
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
-    """Uncertainty of the height. Unit: m."""
+    """Uncertainty of the height. Unit: m. Range: at least 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 

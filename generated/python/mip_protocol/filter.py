@@ -1363,11 +1363,11 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     high_limit: float
     """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: m/s^2."""
+    """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: m/s^2."""
+    """Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."""
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: m/s^2."""
+    """Smallest standard deviation. Unit: m/s^2. Range: at least 0."""
 
     def __init__(
         self,
@@ -1492,16 +1492,18 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    response.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    response.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
-    of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
+    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -1607,12 +1609,12 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     inferred from the quantity.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
-    rad is inferred from the quantity.
+    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
+    SDK gives m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
-    inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
+    m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -3542,7 +3544,7 @@ class ExternalGnssUpdate(Command[None]):
     }
 
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
@@ -3554,9 +3556,13 @@ class ExternalGnssUpdate(Command[None]):
     velocity: types.Ned3f
     """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
     position_uncertainty: types.Ned3f
-    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned."""
+    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. Range:
+    at least 0.
+    """
     velocity_uncertainty: types.Ned3f
-    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+    Range: at least 0.
+    """
 
     def __init__(
         self,
@@ -4518,7 +4524,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     )
 
     tow: float
-    """GPS time of week of the measurement. Unit: s."""
+    """GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     heading: float
@@ -5928,11 +5934,11 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     high_limit: float | None
     """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None
-    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
+    """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional."""
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
+    """Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. Optional."""
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: m/s^2. Optional."""
+    """Smallest standard deviation. Unit: m/s^2. Range: at least 0. Optional."""
 
     def __init__(
         self,
@@ -6193,18 +6199,19 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
-    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-    the response.
+    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    and gauss in the response.
     """
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-    the response.
+    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    and gauss in the response.
     """
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
+    The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+    in the response.
     """
 
     def __init__(
@@ -6446,12 +6453,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     m/s^2; rad is inferred from the quantity.
     """
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
-    The SDK gives m/s^2; rad is inferred from the quantity.
+    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; rad is inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain:
+    The unit. The SDK gives m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -8456,11 +8463,13 @@ class SpeedMeasurement(Command[None]):
     source: int
     """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none."""
+    """GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+    SDK gives none.
+    """
     speed: float
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
-    """Standard deviation of the speed. Unit: m/s."""
+    """Standard deviation of the speed. Unit: m/s. Range: at least 0."""
 
     def __init__(
         self, tow: float, speed: float, speed_uncertainty: float, *, source: int = 1

@@ -858,16 +858,16 @@ class LlhPositionUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -925,16 +925,16 @@ class NedVelocityUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -997,13 +997,17 @@ class EulerAnglesUncertainty(Data):
     )
 
     roll: float
-    """Standard deviation of roll. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of roll. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     pitch: float
-    """Standard deviation of pitch. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     yaw: float
-    """Standard deviation of yaw. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1056,8 +1060,8 @@ class GyroBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1109,8 +1113,8 @@ class AccelBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1269,8 +1273,8 @@ class Wgs84GravityMagnitude(Data):
     _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     gravity_magnitude: float
-    """Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1393,7 +1397,9 @@ class Timestamp(Data):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", ValidFlags))
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -1448,8 +1454,8 @@ class QuaternionAttitudeUncertainty(Data):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1564,8 +1570,8 @@ class HeadingUpdateState(Data):
     above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
-    """Standard deviation of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     source: HeadingSourceFlags
     """Sources of the heading.
@@ -1856,8 +1862,8 @@ class GyroScaleFactorUncertainty(Data):
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -1915,8 +1921,8 @@ class AccelScaleFactorUncertainty(Data):
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2017,8 +2023,8 @@ class MagBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2440,8 +2446,8 @@ class MagOffsetUncertainty(Data):
     _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2499,7 +2505,7 @@ class MagMatrixUncertainty(Data):
 
     soft_iron_uncertainty: types.Matrix3f
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-    1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    1. Frame: sensor. Range: at least 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2711,8 +2717,8 @@ class AntennaOffsetCorrectionUncertainty(Data):
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2834,11 +2840,12 @@ class ClockCorrectionUncertainty(Data):
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
     bias_uncertainty: float
-    """Standard deviation of the bias. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of the bias. Unit: s. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     bias_drift_uncertainty: float
-    """Standard deviation of the drift. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -2971,8 +2978,8 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3031,8 +3038,8 @@ class EcefPositionUncertainty(Data):
     _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3084,8 +3091,8 @@ class EcefVelocityUncertainty(Data):
     _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3308,7 +3315,7 @@ class GnssPositionAidingStatus(Data):
     receiver_id: int
     """Number of the receiver."""
     tow: float
-    """GPS time of week of the last measurement. Unit: s."""
+    """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."""
     status: GnssAidingStatus
     """How the measurements are used."""
     reserved: tuple[int, ...]
@@ -3374,8 +3381,8 @@ class GnssAttitudeAidingStatus(Data):
     )
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-    the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+    Whether it is the time of the measurement or that of its processing.
     """
     status: GnssAidingStatus
     """How the measurements are used."""
@@ -3432,8 +3439,8 @@ class HeadingAidingStatus(Data):
     _LAYOUT = (("tow", "f", None), ("type", "B", HeadingAidingType), ("reserved", "ff", tuple))
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-    the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+    Whether it is the time of the measurement or that of its processing.
     """
     type: HeadingAidingType
     """Source of the heading."""
@@ -3494,7 +3501,7 @@ class AidingMeasurementSummary(Data):
     )
 
     tow: float
-    """GPS time of week at the end of the interval. Unit: s."""
+    """GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800."""
     source: int
     """Number of the source of the measurement."""
     type: AidingMeasurementType
@@ -3602,8 +3609,8 @@ class OdometerScaleFactorErrorUncertainty(Data):
     _LAYOUT = (("scale_factor_error_uncertainty", "f", None), ("valid_flags", "H", ValidFlags))
 
     scale_factor_error_uncertainty: float
-    """Uncertainty of the relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
@@ -3669,15 +3676,16 @@ class GnssDualAntennaStatus(Data):
     )
 
     tow: float
-    """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading: float
     """Heading. Unit: rad. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     heading_uncertainty: float
-    """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     fix_type: DualAntennaFixType
     """Kind of solution."""
@@ -3827,9 +3835,10 @@ class AidingFrameConfigErrorUncertainty(Data):
     frame_id: int
     """Number of the frame."""
     translation_uncertainty: types.Vector3f
-    """Uncertainty of the translation. Elements: x, y, z. Unit: m."""
+    """Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0."""
     attitude_uncertainty: types.Vector3f
-    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
+    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.
+    """
 
     def __init__(
         self,

@@ -130,7 +130,7 @@ class ReceiverResetType(codec.OpenEnum):
     """
 
     HARDWARE = 1
-    """Resets the receiver by its reset line."""
+    """Resets the hardware of the receiver."""
     COLD = 2
     """Restarts all software of the receiver."""
     WARM = 3

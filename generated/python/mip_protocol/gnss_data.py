@@ -785,12 +785,12 @@ class LlhPosition(Shared, Data):
     is set.
     """
     horizontal_accuracy: float
-    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
-    `valid_flags` is set.
+    """Horizontal accuracy. Unit: m. Range: at least 0. Valid if
+    `LlhPositionFlags.HORIZONTAL_ACCURACY` of `valid_flags` is set.
     """
     vertical_accuracy: float
-    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
-    set.
+    """Vertical accuracy. Unit: m. Range: at least 0. Valid if `LlhPositionFlags.VERTICAL_ACCURACY`
+    of `valid_flags` is set.
     """
     valid_flags: LlhPositionFlags
     """Which values are valid."""
@@ -882,8 +882,8 @@ class EcefPosition(Shared, Data):
     `valid_flags` is set.
     """
     position_accuracy: float
-    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
-    `valid_flags` is set.
+    """Accuracy of the position. Unit: m. Range: at least 0. Valid if
+    `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
     """Which values are valid."""
@@ -982,20 +982,20 @@ class NedVelocity(Shared, Data):
     speed: float
     """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
     ground_speed: float
-    """Speed over ground. Unit: m/s. Valid if `NedVelocityFlags.GROUND_SPEED` of `valid_flags` is
-    set.
+    """Speed over ground. Unit: m/s. Range: at least 0. Valid if `NedVelocityFlags.GROUND_SPEED` of
+    `valid_flags` is set.
     """
     heading: float
     """Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from
     above. Valid if `NedVelocityFlags.HEADING` of `valid_flags` is set.
     """
     speed_accuracy: float
-    """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
-    is set.
+    """Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+    `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags` is set.
     """
     heading_accuracy: float
-    """Accuracy of the heading. Unit: deg. Valid if `NedVelocityFlags.HEADING_ACCURACY` of
-    `valid_flags` is set.
+    """Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
+    `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: NedVelocityFlags
     """Which values are valid."""
@@ -1082,8 +1082,8 @@ class EcefVelocity(Shared, Data):
     if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     velocity_accuracy: float
-    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
-    `valid_flags` is set.
+    """Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
+    `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
     """Which values are valid."""
@@ -1151,19 +1151,32 @@ class Dop(Shared, Data):
     )
 
     gdop: float
-    """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
+    """Geometric dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.GDOP` of `valid_flags` is
+    set.
+    """
     pdop: float
-    """Position dilution. Unit: 1. Valid if `DopFlags.PDOP` of `valid_flags` is set."""
+    """Position dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.PDOP` of `valid_flags` is
+    set.
+    """
     hdop: float
-    """Horizontal dilution. Unit: 1. Valid if `DopFlags.HDOP` of `valid_flags` is set."""
+    """Horizontal dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.HDOP` of `valid_flags` is
+    set.
+    """
     vdop: float
-    """Vertical dilution. Unit: 1. Valid if `DopFlags.VDOP` of `valid_flags` is set."""
+    """Vertical dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.VDOP` of `valid_flags` is
+    set.
+    """
     tdop: float
-    """Time dilution. Unit: 1. Valid if `DopFlags.TDOP` of `valid_flags` is set."""
+    """Time dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.TDOP` of `valid_flags` is set.
+    """
     ndop: float
-    """Northing dilution. Unit: 1. Valid if `DopFlags.NDOP` of `valid_flags` is set."""
+    """Northing dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.NDOP` of `valid_flags` is
+    set.
+    """
     edop: float
-    """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
+    """Easting dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.EDOP` of `valid_flags` is
+    set.
+    """
     valid_flags: DopFlags
     """Which values are valid."""
 
@@ -1349,7 +1362,9 @@ class GpsTime(Shared, Data):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", GpsTimeFlags))
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `GpsTimeFlags.TOW`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
@@ -1410,8 +1425,8 @@ class ClockInfo(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfoFlags.DRIFT` of `valid_flags` is set."""
     accuracy_estimate: float
-    """Estimated accuracy. Unit: s. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is
-    set.
+    """Estimated accuracy. Unit: s. Range: at least 0. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE`
+    of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
     """Which values are valid."""
@@ -2055,12 +2070,12 @@ class ClockInfo2(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. Unit: s. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is
-    set.
+    """Accuracy of the bias. Unit: s. Range: at least 0. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of
+    `valid_flags` is set.
     """
     drift_accuracy_estimate: float
-    """Accuracy of the drift. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags`
-    is set.
+    """Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+    `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
     """Which values are valid."""
@@ -2202,7 +2217,9 @@ class SbasInfo(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `SbasInfoFlags.TOW`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
     sbas_system: SbasSystem
@@ -2339,7 +2356,7 @@ class SbasCorrection(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week of the reception. Unit: s."""
+    """GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     gnss_id: types.GnssConstellation
@@ -2571,8 +2588,8 @@ class Heading(Shared, Data):
     usual; the SDK only states degrees.
     """
     uncertainty: float
-    """Uncertainty of the heading. Unit: deg. Valid if `HeadingFlags.UNCERTAINTY` of `valid_flags`
-    is set. Uncertain: Whether it is one standard deviation.
+    """Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `HeadingFlags.UNCERTAINTY`
+    of `valid_flags` is set. Uncertain: Whether it is one standard deviation.
     """
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
@@ -2684,7 +2701,9 @@ class SatelliteStatus(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `SatelliteStatusFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
     set.
@@ -2696,8 +2715,8 @@ class SatelliteStatus(Shared, Data):
     `valid_flags` is set.
     """
     elevation: float
-    """Elevation, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.ELEVATION` of
-    `valid_flags` is set.
+    """Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
+    `SatelliteStatusFlags.ELEVATION` of `valid_flags` is set.
     """
     azimuth: float
     """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
@@ -2891,7 +2910,9 @@ class Raw(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of
+    `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
     receiver_id: int
@@ -2922,16 +2943,16 @@ class Raw(Shared, Data):
     doppler: float
     """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
     range_uncertainty: float
-    """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
-    `valid_flags` is set.
+    """Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if
+    `RawFlags.RANGE_UNCERTAINTY` of `valid_flags` is set.
     """
     phase_uncertainty: float
-    """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
-    of `valid_flags` is set.
+    """Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if
+    `RawFlags.CARRIER_PHASE_UNCERTAINTY` of `valid_flags` is set.
     """
     doppler_uncertainty: float
-    """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
-    `valid_flags` is set.
+    """Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if
+    `RawFlags.DOPPLER_UNCERTAINTY` of `valid_flags` is set.
     """
     lock_time: float
     """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
@@ -3111,8 +3132,8 @@ class BaseStationInfo(Shared, Data):
     _VECTORS = {"ecef_position": (types.Vector3d,)}
 
     tow: float
-    """GPS time of week at which the message was received. Unit: s. Valid if
-    `BaseStationInfoFlags.TOW` of `valid_flags` is set.
+    """GPS time of week at which the message was received. Unit: s. Range: at least 0, less than
+    604800. Valid if `BaseStationInfoFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
@@ -3251,7 +3272,8 @@ class RtkCorrectionsStatus(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `RtkCorrectionsStatusFlags.WEEK_NUMBER` of
@@ -3527,7 +3549,7 @@ class GpsEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -3955,7 +3977,7 @@ class GlonassEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -4354,7 +4376,7 @@ class GalileoEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -4813,7 +4835,7 @@ class BeidouEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -5132,7 +5154,9 @@ class GpsIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsIonoCorrectionFlags.WEEK_NUMBER` of `valid_flags`
     is set.
@@ -5217,7 +5241,8 @@ class GalileoIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `GalileoIonoCorrectionFlags.WEEK_NUMBER` of
@@ -5311,7 +5336,8 @@ class BeidouIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `BeidouIonoCorrectionFlags.WEEK_NUMBER` of

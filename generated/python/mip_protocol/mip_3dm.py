@@ -329,8 +329,10 @@ class EventActionStatusEntry(Structure):
 
 
 class ReceiverDynamics(codec.OpenEnum):
-    """Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers
-    the modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+    """Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers
+    the modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do.
+    Uncertain: The descriptions. The sources have names only; what is said of each mode is inferred
+    from its name.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
     """
@@ -358,7 +360,9 @@ class ReceiverDynamics(codec.OpenEnum):
 @codec.open_flag(16)
 class DataConditioningFlags(IntFlag):
     """Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
-    protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+    protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
+    The descriptions. The sources have names only; what is said of each bit is inferred from its
+    name.
 
     - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
     - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -513,9 +517,9 @@ class SensorPowerState(codec.OpenEnum):
     LOW_POWER = 2
     """On with reduced power."""
     SLEEP = 3
-    """Asleep."""
+    """Very low power; starts quickly."""
     OFF = 4
-    """Off."""
+    """Off or in deep sleep."""
 
 
 class DeviceStatusSelector(codec.OpenEnum):
@@ -3737,11 +3741,11 @@ class GnssTimeAssistanceResponse(Response):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("accuracy", "f", None))
 
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number since 1980. Unit: week."""
     accuracy: float
-    """Accuracy of the time. Unit: s."""
+    """Accuracy of the time. Unit: s. Range: at least 0."""
 
     def __init__(self, tow: float, week_number: int, accuracy: float) -> None:
         self.tow = tow
@@ -4434,7 +4438,7 @@ class OdometerConfigResponse(Response):
     on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."""
 
     def __init__(self, mode: OdometerMode, scaling: float, uncertainty: float) -> None:
         self.mode = mode
@@ -5735,7 +5739,8 @@ class DataStreamControl(Command[R]):
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
-    devices by its descriptor set.
+    devices by its descriptor set. A stream that you enable begins with current data, not with data
+    from the time before.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -6367,11 +6372,11 @@ class GnssTimeAssistance(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     tow: float | None
-    """GPS time of week. Unit: s. Required for `write`."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for `write`."""
     week_number: int | None
     """GPS week number since 1980. Unit: week. Required for `write`."""
     accuracy: float | None
-    """Accuracy of the time. Unit: s. Required for `write`."""
+    """Accuracy of the time. Unit: s. Range: at least 0. Required for `write`."""
 
     def __init__(
         self,
@@ -7779,14 +7784,14 @@ class ImuSignalConditioning(Command[R]):
     Configures the filters and the orientation algorithm of 3-series devices.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
-    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
-    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. May be supported by 3DM-GX3-35. Known only
-    from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
-    defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
-    which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
-    example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
-    response. MSCL reads it without.
+    `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
+    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`. May
+    be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication
+    Library. Uncertain: The ranges, the defaults, and some of the flags. They are those of the
+    single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have
+    it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
+    device sends `reserved` in the response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -9199,7 +9204,9 @@ class OdometerConfig(Command[R]):
     the wheel.
     """
     uncertainty: float | None
-    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required for
+    `write`.
+    """
 
     def __init__(
         self,
@@ -10088,11 +10095,12 @@ class DataStreamFormat(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `DataStreamFormatResponse`. May be supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
     and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
-    2014 restricts it to the 3DM-GX3-35.
+    2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
+    `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+    `format`.
 
-    Both parameters are sent with every function. In the wrapped format, packets of the sensor
-    arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea`
-    and `gnss_data.ubx` for the receiver.
+    In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
+    and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
 
     - mip-sdk-2014: Data Stream Format (0x0C,0x60)
     - mscl: Data Stream Format (0x0C,0x60)
@@ -10222,6 +10230,8 @@ class DevicePowerState(Command[R]):
     Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
     devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
     Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    Uncertain: Whether `state` may be left out with functions other than write. The SDK of 2014
+    sends `device` with every function, and a 0 in place of `state`.
 
     - mip-sdk-2014: Device Power State (0x0C,0x61)
     - mscl: Device Power State (0x0C,0x61)

@@ -191,12 +191,11 @@ class ScaledAccel(Data):
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.AccelBias`, `mip_3dm.ImuLowPassFilter`, `mip_3dm.LowPassFilter`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `mip_3dm.ImuSignalConditioning`, `mip_3dm.AccelBias`, `mip_3dm.ImuLowPassFilter`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
     `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `mip_3dm.ImuSignalConditioning` and `mip_3dm.SensorRange`. Flagged by
-    `types.Cv7BuiltInTest.ACCEL_FAULT` of `types.Cv7BuiltInTest`,
-    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    changed by `mip_3dm.SensorRange`. Flagged by `types.Cv7BuiltInTest.ACCEL_FAULT` of
+    `types.Cv7BuiltInTest`, `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
@@ -248,11 +247,11 @@ class ScaledGyro(Data):
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias`, `mip_3dm.ImuLowPassFilter`,
-    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `mip_3dm.ImuSignalConditioning` and `mip_3dm.SensorRange`. Flagged by
-    `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
+    `mip_3dm.ImuSignalConditioning`, `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias`,
+    `mip_3dm.ImuLowPassFilter`, `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.SensorRange`. Flagged
+    by `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
@@ -362,11 +361,11 @@ class DeltaTheta(Data):
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `mip_3dm.ImuSignalConditioning`, `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias` and
-    `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be
-    supported by 3DM-GX5-45.
+    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.GyroBias`,
+    `mip_3dm.CaptureGyroBias` and `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -413,9 +412,9 @@ class DeltaVelocity(Data):
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
     `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
-    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
-    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
-    changed by `mip_3dm.ImuSignalConditioning`, `mip_3dm.AccelBias` and
+    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.AccelBias` and
     `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported
     by 3DM-GX5-35 and 3DM-GX5-45.
 
@@ -466,9 +465,9 @@ class CompOrientationMatrix(Data):
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
-    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -519,9 +518,9 @@ class CompQuaternion(Data):
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
-    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -617,10 +616,10 @@ class CompEulerAngles(Data):
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
     Changed by `mip_3dm.SensorToVehicleTransformEuler`,
-    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm` and
-    `mip_3dm.ComplementaryFilter`. Probably changed by `mip_3dm.ImuSignalConditioning`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
-    ranges of the angles. Uncertain: which no source states.
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The ranges of the
+    angles. Uncertain: which no source states.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -1007,8 +1006,8 @@ class GpsTimestamp(Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
-    `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `types.SensorGpsTimestampFlags.TOW_VALID` of `valid_flags` is set.
 
     - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
       of `valid_flags` is set.
@@ -1272,8 +1271,8 @@ class Odometer(Data):
     m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is set.
     """
     uncertainty: float
-    """Uncertainty of the speed. Unit: m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is
-    set.
+    """Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `OdometerFlags.ODOMETER` of
+    `valid_flags` is set.
     """
     valid_flags: OdometerFlags
     """Whether the values are valid."""

@@ -212,7 +212,9 @@ class GpsTimestamp(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsTimestampFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GpsTimestampFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimestampFlags.WEEK_NUMBER` of `valid_flags` is
     set.

@@ -202,8 +202,9 @@ struct mip_3dm_event_action_status_entry {
 };
 
 /**
- * Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers the
- * modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+ * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the
+ * modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do. Uncertain: The
+ * descriptions. The sources have names only; what is said of each mode is inferred from its name.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -232,7 +233,9 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
 MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
- * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+ * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
+ * The descriptions. The sources have names only; what is said of each bit is inferred from its
+ * name.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -375,9 +378,9 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
     MIP_3DM_SENSOR_POWER_STATE_ON = 1,
     /** On with reduced power. */
     MIP_3DM_SENSOR_POWER_STATE_LOW_POWER = 2,
-    /** Asleep. */
+    /** Very low power; starts quickly. */
     MIP_3DM_SENSOR_POWER_STATE_SLEEP = 3,
-    /** Off. */
+    /** Off or in deep sleep. */
     MIP_3DM_SENSOR_POWER_STATE_OFF = 4
 };
 
@@ -1968,6 +1971,8 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * Devices of the generations 3 to 5 identify the stream by a number (enum
  * mip_3dm_legacy_data_stream), other devices by its descriptor set.
  *
+ * A stream that you enable begins with current data, not with data from the time before.
+ *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
@@ -2749,11 +2754,11 @@ struct mip_3dm_gnss_time_assistance {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** GPS time of week. Unit: s. Required for write. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write. */
     double tow;
     /** GPS week number since 1980. Unit: week. Required for write. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. Required for write. */
+    /** Accuracy of the time. Unit: s. Range: at least 0. Required for write. */
     float accuracy;
 };
 
@@ -2781,9 +2786,9 @@ static inline mip_error mip_3dm_gnss_time_assistance_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - tow: GPS time of week. Unit: s. Required for write.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
  * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Accuracy of the time. Unit: s. Required for write.
+ * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
  */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
@@ -2812,11 +2817,11 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance_response {
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number since 1980. Unit: week. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. */
+    /** Accuracy of the time. Unit: s. Range: at least 0. */
     float accuracy;
 };
 
@@ -4698,14 +4703,14 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_imu_signal_conditioning_response. Probably changes mip_sensor_scaled_accel,
- * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
- * Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges,
- * the defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
- * which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
- * example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
- * response. MSCL reads it without.
+ * Probably changes mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
+ * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
+ * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
+ * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
+ * device sends `reserved` in the response. MSCL reads it without.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
  * width.
@@ -6569,7 +6574,9 @@ struct mip_3dm_odometer_config {
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write. */
+    /**
+     * Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required for write.
+     */
     float uncertainty;
 };
 
@@ -6601,7 +6608,8 @@ static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odom
  * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
  *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
  *   wheel.
- * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
+ *   for write.
  */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
@@ -6658,7 +6666,7 @@ struct mip_3dm_odometer_config_response {
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. */
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. */
     float uncertainty;
 };
 
@@ -7680,9 +7688,8 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
- * it to the 3DM-GX3-35.
- *
- * Both parameters are sent with every function.
+ * it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
+ * 2014 sends both parameters with every function, and a 0 in place of `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7876,7 +7883,9 @@ static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
  * mip_3dm_device_power_state_response. The device may take 5 s to answer. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
  * the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014
- * uses a longer one than usual; 5 s is assumed.
+ * uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left out with
+ * functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in place
+ * of `state`.
  *
  * - mip-sdk-2014: Device Power State (0x0C,0x61)
  * - mscl: Device Power State (0x0C,0x61)

@@ -758,7 +758,7 @@ struct mip_aiding_height_above_ellipsoid {
     uint8_t frame_id;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     float height;
-    /** Uncertainty of the height. Unit: m. */
+    /** Uncertainty of the height. Unit: m. Range: at least 0. */
     float uncertainty;
     /** Not 0: the measurement is valid. */
     uint16_t valid_flags;
@@ -829,7 +829,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m.
+ * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(

@@ -299,7 +299,7 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m.
+ * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid(

@@ -1663,7 +1663,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
  * - mip-sdk-4: External Gnss Update (0x0D,0x16)
  */
 struct mip_filter_external_gnss_update {
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
@@ -1675,9 +1675,15 @@ struct mip_filter_external_gnss_update {
     double height;
     /** Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity[3];
-    /** Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. */
+    /**
+     * Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. Range:
+     * at least 0.
+     */
     float position_uncertainty[3];
-    /** Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
+    /**
+     * Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+     * Range: at least 0.
+     */
     float velocity_uncertainty[3];
 };
 
@@ -1757,16 +1763,16 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
 /**
  * External GNSS update. Fills the structure and returns its address.
  *
- * - tow: GPS time of week. Unit: s.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
  * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
- *   Frame: ned.
+ *   Frame: ned. Range: at least 0.
  * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
- *   m/s. Frame: ned.
+ *   m/s. Frame: ned. Range: at least 0.
  */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
@@ -3051,7 +3057,7 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
  */
 struct mip_filter_external_heading_update_with_time {
-    /** GPS time of week of the measurement. Unit: s. */
+    /** GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
@@ -3127,7 +3133,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
 /**
  * External heading update with time. Fills the structure and returns its address.
  *
- * - tow: GPS time of week of the measurement. Unit: s.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
@@ -4973,11 +4979,11 @@ struct mip_filter_accel_magnitude_adaptive {
     float low_limit;
     /** Upper limit of the error. Unit: m/s^2. Optional. */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: m/s^2. Optional. */
+    /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional. */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: m/s^2. Optional. */
+    /** Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. Optional. */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: m/s^2. Optional. */
+    /** Smallest standard deviation. Unit: m/s^2. Range: at least 0. Optional. */
     float minimum_uncertainty;
 };
 
@@ -5078,11 +5084,11 @@ struct mip_filter_accel_magnitude_adaptive_response {
     float low_limit;
     /** Upper limit of the error. Unit: m/s^2. */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: m/s^2. */
+    /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: m/s^2. */
+    /** Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: m/s^2. */
+    /** Smallest standard deviation. Unit: m/s^2. Range: at least 0. */
     float minimum_uncertainty;
 };
 
@@ -5198,20 +5204,21 @@ struct mip_filter_mag_magnitude_adaptive {
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for write. Uncertain:
+     * The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and
+     * gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5252,15 +5259,15 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
  * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
- * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Required for write. Uncertain:
- *   The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
- *   in the response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+ *   command and gauss in the response.
  */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
@@ -5333,18 +5340,20 @@ struct mip_filter_mag_magnitude_adaptive_response {
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
-     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
+     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5449,13 +5458,13 @@ struct mip_filter_mag_dip_angle_adaptive {
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
-     * gives m/s^2; rad is inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Required for write. Uncertain: The
+     * unit. The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5488,10 +5497,11 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; rad is inferred from the quantity.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
- * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Required for write. Uncertain: The
- *   unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+ *   quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
  */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
@@ -5555,13 +5565,13 @@ struct mip_filter_mag_dip_angle_adaptive_response {
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
-     * rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
+     * SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
-     * inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
+     * m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -8035,11 +8045,14 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
 struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */
     uint8_t source;
-    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none. */
+    /**
+     * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+     * SDK gives none.
+     */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     float speed;
-    /** Standard deviation of the speed. Unit: m/s. */
+    /** Standard deviation of the speed. Unit: m/s. Range: at least 0. */
     float speed_uncertainty;
 };
 
@@ -8099,9 +8112,10 @@ static inline mip_error mip_filter_speed_measurement_encode_inline(
 /**
  * Speed measurement. Fills the structure and returns its address.
  *
- * - tow: GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+ *   SDK gives none.
  * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
- * - speed_uncertainty: Standard deviation of the speed. Unit: m/s.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
  */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {

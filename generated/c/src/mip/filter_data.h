@@ -1053,18 +1053,18 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
  */
 struct mip_filter_data_llh_position_uncertainty {
     /**
-     * Standard deviation north. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
     /** Validity of the values. */
@@ -1139,18 +1139,18 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
  */
 struct mip_filter_data_ned_velocity_uncertainty {
     /**
-     * Standard deviation north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
     /** Validity of the values. */
@@ -1230,18 +1230,18 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  */
 struct mip_filter_data_euler_angles_uncertainty {
     /**
-     * Standard deviation of roll. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of roll. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float roll;
     /**
-     * Standard deviation of pitch. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pitch;
     /**
-     * Standard deviation of yaw. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
     /** Validity of the values. */
@@ -1316,8 +1316,8 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
  */
 struct mip_filter_data_gyro_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
     /** Validity of the values. */
@@ -1390,8 +1390,8 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_accel_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
     /** Validity of the values. */
@@ -1622,7 +1622,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
  */
 struct mip_filter_data_wgs84_gravity_magnitude {
     /**
-     * Magnitude of gravity. Unit: m/s^2. At rest and level: 9.8. Valid if
+     * Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
@@ -1790,7 +1790,8 @@ static inline mip_error mip_filter_data_status_encode_inline(
  */
 struct mip_filter_data_timestamp {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double tow;
     /**
@@ -1869,7 +1870,7 @@ static inline mip_error mip_filter_data_timestamp_encode_inline(
  */
 struct mip_filter_data_quaternion_attitude_uncertainty {
     /**
-     * Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if
+     * Standard deviation per element. Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
@@ -2030,8 +2031,8 @@ struct mip_filter_data_heading_update_state {
      */
     float heading;
     /**
-     * Standard deviation of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading_uncertainty;
     /**
@@ -2352,8 +2353,8 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
  */
 struct mip_filter_data_gyro_scale_factor_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
     /** Validity of the values. */
@@ -2429,8 +2430,8 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
  */
 struct mip_filter_data_accel_scale_factor_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
     /** Validity of the values. */
@@ -2580,8 +2581,8 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
  */
 struct mip_filter_data_mag_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
     /** Validity of the values. */
@@ -3122,8 +3123,8 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  */
 struct mip_filter_data_mag_offset_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron_uncertainty[3];
     /** Validity of the values. */
@@ -3198,7 +3199,8 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
 struct mip_filter_data_mag_matrix_uncertainty {
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * 1. Frame: sensor. Range: at least 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float soft_iron_uncertainty[9];
     /** Validity of the values. */
@@ -3499,8 +3501,8 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  */
 struct mip_filter_data_antenna_offset_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
     /** Validity of the values. */
@@ -3656,13 +3658,13 @@ struct mip_filter_data_clock_correction_uncertainty {
     /** Receiver, counted from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * Standard deviation of the bias. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the bias. Unit: s. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty;
     /**
-     * Standard deviation of the drift. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_drift_uncertainty;
     /** Validity of the values. */
@@ -3823,8 +3825,8 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
     /** Receiver that the antenna belongs to. */
     uint8_t receiver_id;
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
     /** Validity of the values. */
@@ -3902,8 +3904,8 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
  */
 struct mip_filter_data_ecef_position_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float position_uncertainty[3];
     /** Validity of the values. */
@@ -3976,8 +3978,8 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
  */
 struct mip_filter_data_ecef_velocity_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity_uncertainty[3];
     /** Validity of the values. */
@@ -4284,7 +4286,7 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
 struct mip_filter_data_gnss_position_aiding_status {
     /** Number of the receiver. */
     uint8_t receiver_id;
-    /** GPS time of week of the last measurement. Unit: s. */
+    /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     float tow;
     /** How the measurements are used. */
     mip_filter_data_gnss_aiding_status status;
@@ -4360,8 +4362,8 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
  */
 struct mip_filter_data_gnss_attitude_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+     * Whether it is the time of the measurement or that of its processing.
      */
     float tow;
     /** How the measurements are used. */
@@ -4436,8 +4438,8 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
  */
 struct mip_filter_data_heading_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+     * Whether it is the time of the measurement or that of its processing.
      */
     float tow;
     /** Source of the heading. A value of enum mip_filter_data_heading_aiding_type. */
@@ -4514,7 +4516,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
  * - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
  */
 struct mip_filter_data_aiding_measurement_summary {
-    /** GPS time of week at the end of the interval. Unit: s. */
+    /** GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800. */
     float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
@@ -4661,8 +4663,8 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
  */
 struct mip_filter_data_odometer_scale_factor_uncertainty {
     /**
-     * Uncertainty of the relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error_uncertainty;
     /** Validity of the values. */
@@ -4737,8 +4739,8 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
  */
 struct mip_filter_data_gnss_dual_antenna_status {
     /**
-     * GPS time of week of the last measurement. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float tow;
     /**
@@ -4747,8 +4749,8 @@ struct mip_filter_data_gnss_dual_antenna_status {
      */
     float heading;
     /**
-     * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading_uncertainty;
     /** Kind of solution. A value of enum mip_filter_data_dual_antenna_fix_type. */
@@ -4909,9 +4911,11 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
 struct mip_filter_data_aiding_frame_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
-    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
+    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0. */
     float translation_uncertainty[3];
-    /** Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. */
+    /**
+     * Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.
+     */
     float attitude_uncertainty[3];
 };
 

@@ -93,7 +93,7 @@ MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */
 enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
-    /** Resets the receiver by its reset line. */
+    /** Resets the hardware of the receiver. */
     MIP_GNSS_RECEIVER_RESET_TYPE_HARDWARE = 1,
     /** Restarts all software of the receiver. */
     MIP_GNSS_RECEIVER_RESET_TYPE_COLD = 2,

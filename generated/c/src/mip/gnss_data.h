@@ -648,13 +648,13 @@ struct mip_gnss_data_llh_position {
      */
     double msl_height;
     /**
-     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
-     * in valid_flags is set.
+     * Horizontal accuracy. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in valid_flags is set.
      */
     float horizontal_accuracy;
     /**
-     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
-     * valid_flags is set.
+     * Vertical accuracy. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in valid_flags is set.
      */
     float vertical_accuracy;
     /** Which values are valid. */
@@ -746,7 +746,7 @@ struct mip_gnss_data_ecef_position {
      */
     double position[3];
     /**
-     * Accuracy of the position. Unit: m. Valid if
+     * Accuracy of the position. Unit: m. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
@@ -841,8 +841,8 @@ struct mip_gnss_data_ned_velocity {
      */
     float speed;
     /**
-     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED in
-     * valid_flags is set.
+     * Speed over ground. Unit: m/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED in valid_flags is set.
      */
     float ground_speed;
     /**
@@ -851,12 +851,12 @@ struct mip_gnss_data_ned_velocity {
      */
     float heading;
     /**
-     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in valid_flags is set.
      */
     float speed_accuracy;
     /**
-     * Accuracy of the heading. Unit: deg. Valid if
+     * Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
@@ -954,7 +954,7 @@ struct mip_gnss_data_ecef_velocity {
      */
     float velocity[3];
     /**
-     * Accuracy of the velocity. Unit: m/s. Valid if
+     * Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
@@ -1036,21 +1036,40 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
  */
 struct mip_gnss_data_dop {
-    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_GDOP in valid_flags is set. */
+    /**
+     * Geometric dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_GDOP in
+     * valid_flags is set.
+     */
     float gdop;
-    /** Position dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_PDOP in valid_flags is set. */
+    /**
+     * Position dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_PDOP in
+     * valid_flags is set.
+     */
     float pdop;
     /**
-     * Horizontal dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_HDOP in valid_flags is set.
+     * Horizontal dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_HDOP in
+     * valid_flags is set.
      */
     float hdop;
-    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_VDOP in valid_flags is set. */
+    /**
+     * Vertical dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_VDOP in
+     * valid_flags is set.
+     */
     float vdop;
-    /** Time dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_TDOP in valid_flags is set. */
+    /**
+     * Time dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_TDOP in
+     * valid_flags is set.
+     */
     float tdop;
-    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_NDOP in valid_flags is set. */
+    /**
+     * Northing dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_NDOP in
+     * valid_flags is set.
+     */
     float ndop;
-    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_EDOP in valid_flags is set. */
+    /**
+     * Easting dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_EDOP in
+     * valid_flags is set.
+     */
     float edop;
     /** Which values are valid. */
     mip_gnss_data_dop_flags valid_flags;
@@ -1254,7 +1273,8 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
  */
 struct mip_gnss_data_gps_time {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -1349,8 +1369,8 @@ struct mip_gnss_data_clock_info {
      */
     double drift;
     /**
-     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
-     * valid_flags is set.
+     * Estimated accuracy. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in valid_flags is set.
      */
     double accuracy_estimate;
     /** Which values are valid. */
@@ -2060,13 +2080,13 @@ struct mip_gnss_data_clock_info_2 {
      */
     double drift;
     /**
-     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the bias. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in valid_flags is set.
      */
     double bias_accuracy_estimate;
     /**
-     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags is set.
      */
     double drift_accuracy_estimate;
     /** Which values are valid. */
@@ -2226,7 +2246,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  */
 struct mip_gnss_data_sbas_info {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -2343,7 +2364,7 @@ struct mip_gnss_data_sbas_correction {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week of the reception. Unit: s. */
+    /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -2567,8 +2588,9 @@ struct mip_gnss_data_heading {
      */
     float heading;
     /**
-     * Uncertainty of the heading. Unit: deg. Valid if MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in
-     * valid_flags is set. Uncertain: Whether it is one standard deviation.
+     * Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in valid_flags is set. Uncertain: Whether it is one
+     * standard deviation.
      */
     float uncertainty;
     /**
@@ -2661,8 +2683,8 @@ struct mip_gnss_data_satellite_status {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW in valid_flags
-     * is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -2681,7 +2703,7 @@ struct mip_gnss_data_satellite_status {
      */
     uint8_t satellite_id;
     /**
-     * Elevation, as seen from the rover. Unit: deg. Valid if
+     * Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
      * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
      */
     float elevation;
@@ -2792,7 +2814,10 @@ struct mip_gnss_data_raw {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RAW_FLAGS_TOW in valid_flags is set. */
+    /**
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_TOW in valid_flags is set.
+     */
     double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER in valid_flags is
@@ -2844,17 +2869,17 @@ struct mip_gnss_data_raw {
     /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_DATA_RAW_FLAGS_DOPPLER in valid_flags is set. */
     float doppler;
     /**
-     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY
-     * in valid_flags is set.
+     * Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY in valid_flags is set.
      */
     float range_uncertainty;
     /**
-     * Uncertainty of the carrier phase. Unit: cycle. Valid if
+     * Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
      */
     float phase_uncertainty;
     /**
-     * Uncertainty of the Doppler shift. Unit: Hz. Valid if
+     * Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY in valid_flags is set.
      */
     float doppler_uncertainty;
@@ -2970,8 +2995,8 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
  */
 struct mip_gnss_data_base_station_info {
     /**
-     * GPS time of week at which the message was received. Unit: s. Valid if
-     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     * GPS time of week at which the message was received. Unit: s. Range: at least 0, less than
+     * 604800. Valid if MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -3087,8 +3112,8 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
  */
 struct mip_gnss_data_rtk_corrections_status {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -3228,7 +3253,7 @@ struct mip_gnss_data_gps_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -3516,7 +3541,7 @@ struct mip_gnss_data_glonass_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -3756,7 +3781,7 @@ struct mip_gnss_data_galileo_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -4044,7 +4069,7 @@ struct mip_gnss_data_beidou_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -4324,8 +4349,8 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
  */
 struct mip_gnss_data_gps_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -4430,8 +4455,8 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
  */
 struct mip_gnss_data_galileo_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -4534,8 +4559,8 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
  */
 struct mip_gnss_data_beidou_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**

@@ -260,10 +260,10 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  * Measured acceleration, temperature compensated.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_accel_bias, mip_3dm_imu_low_pass_filter,
- * mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
- * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
- * mip_3dm_imu_signal_conditioning and mip_3dm_sensor_range. Flagged by
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning, mip_3dm_accel_bias,
+ * mip_3dm_imu_low_pass_filter, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
+ * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
+ * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_sensor_range. Flagged by
  * MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT of mip_cv7_built_in_test, imu_calibration_error_accel of
  * mip_cv7_continuous_bit, accel_general_fault of mip_cv7_continuous_bit, accel_over_range of
  * mip_cv7_continuous_bit, accel_self_test_fail of mip_cv7_continuous_bit,
@@ -340,14 +340,14 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  * Measured angular rate, temperature compensated.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_gyro_bias, mip_3dm_capture_gyro_bias,
- * mip_3dm_imu_low_pass_filter, mip_3dm_low_pass_filter, mip_filter_sensor_to_vehicle_euler,
- * mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm and
- * mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_imu_signal_conditioning and
- * mip_3dm_sensor_range. Flagged by MIP_CV7_BUILT_IN_TEST_GYRO_FAULT of mip_cv7_built_in_test,
- * imu_calibration_error_gyro of mip_cv7_continuous_bit, gyro_general_fault of
- * mip_cv7_continuous_bit, gyro_over_range of mip_cv7_continuous_bit, gyro_self_test_fail of
- * mip_cv7_continuous_bit, MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X of mip_sensor_overrange_flags,
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning, mip_3dm_gyro_bias,
+ * mip_3dm_capture_gyro_bias, mip_3dm_imu_low_pass_filter, mip_3dm_low_pass_filter,
+ * mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm
+ * and mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_sensor_range. Flagged by
+ * MIP_CV7_BUILT_IN_TEST_GYRO_FAULT of mip_cv7_built_in_test, imu_calibration_error_gyro of
+ * mip_cv7_continuous_bit, gyro_general_fault of mip_cv7_continuous_bit, gyro_over_range of
+ * mip_cv7_continuous_bit, gyro_self_test_fail of mip_cv7_continuous_bit,
+ * MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X of mip_sensor_overrange_flags,
  * MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y of mip_sensor_overrange_flags and
  * MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z of mip_sensor_overrange_flags. Supported by 3DM-CV7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
@@ -498,10 +498,11 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  * Time integral of the angular rate over the period that the message format sets.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
- * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
- * mip_3dm_imu_signal_conditioning, mip_3dm_gyro_bias, mip_3dm_capture_gyro_bias and
- * mip_3dm_coning_sculling_enable. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning,
+ * mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm
+ * and mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_gyro_bias,
+ * mip_3dm_capture_gyro_bias and mip_3dm_coning_sculling_enable. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -572,10 +573,10 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  * Time integral of the acceleration over the period that the message format sets.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm, mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation,
- * mip_filter_sensor_to_vehicle_dcm and mip_filter_sensor_to_vehicle_quaternion. Probably changed by
- * mip_3dm_imu_signal_conditioning, mip_3dm_accel_bias and mip_3dm_coning_sculling_enable. Supported
- * by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning,
+ * mip_filter_sensor_to_vehicle_euler, mip_filter_tare_orientation, mip_filter_sensor_to_vehicle_dcm
+ * and mip_filter_sensor_to_vehicle_quaternion. Probably changed by mip_3dm_accel_bias and
+ * mip_3dm_coning_sculling_enable. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
@@ -650,8 +651,8 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
  * Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
- * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning and mip_3dm_complementary_filter.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
  *
@@ -725,8 +726,8 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
  * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
- * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning and mip_3dm_complementary_filter.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
  * 3DM-GX5-15.
@@ -871,9 +872,9 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
  * Changed by mip_3dm_sensor_to_vehicle_euler, mip_3dm_sensor_to_vehicle_quaternion,
- * mip_3dm_sensor_to_vehicle_dcm and mip_3dm_complementary_filter. Probably changed by
- * mip_3dm_imu_signal_conditioning. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The
- * ranges of the angles. Uncertain: which no source states.
+ * mip_3dm_sensor_to_vehicle_dcm, mip_3dm_imu_signal_conditioning and mip_3dm_complementary_filter.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain:
+ * which no source states.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -1414,9 +1415,10 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  */
 struct mip_sensor_gps_timestamp {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags
-     * is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
-     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags is set. On the 3DM-GX5-15 and
+     * 3DM-GX5-35: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is
+     * set.
      */
     double tow;
     /**
@@ -1765,8 +1767,8 @@ struct mip_sensor_odometer {
      */
     float speed;
     /**
-     * Uncertainty of the speed. Unit: m/s. Valid if MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in
-     * valid_flags is set.
+     * Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if
+     * MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in valid_flags is set.
      */
     float uncertainty;
     /** Whether the values are valid. */

@@ -447,7 +447,7 @@ record! {
         pub height: f32,
         /// Uncertainty of the height.
         ///
-        /// Unit: m.
+        /// Unit: m. Range: at least 0.
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,

@@ -987,7 +987,7 @@ record! {
     pub struct ExternalGnssUpdate {
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
@@ -1011,11 +1011,11 @@ record! {
         pub velocity: types::Ned3f,
         /// Standard deviation of the position.
         ///
-        /// Elements: north, east, down. Unit: m. Frame: ned.
+        /// Elements: north, east, down. Unit: m. Frame: ned. Range: at least 0.
         pub position_uncertainty: types::Ned3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Range: at least 0.
         pub velocity_uncertainty: types::Ned3f,
     }
 }
@@ -1585,7 +1585,7 @@ record! {
     pub struct ExternalHeadingUpdateWithTime {
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
@@ -2471,15 +2471,15 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2592,21 +2592,21 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2699,13 +2699,13 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 18 {
@@ -3740,7 +3740,7 @@ record! {
         pub source: u8,
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s. Uncertain: The unit; the SDK gives none.
+        /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK gives none.
         pub tow: f32,
         /// Speed, negative in reverse.
         ///
@@ -3748,7 +3748,7 @@ record! {
         pub speed: f32,
         /// Standard deviation of the speed.
         ///
-        /// Unit: m/s.
+        /// Unit: m/s. Range: at least 0.
         pub speed_uncertainty: f32,
     }
 }
@@ -4629,15 +4629,15 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4679,18 +4679,18 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4722,11 +4722,13 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// from the quantity.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// from the quantity.
         pub minimum_uncertainty: f32,
     }
 }

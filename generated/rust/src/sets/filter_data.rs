@@ -746,15 +746,18 @@ record! {
     pub struct LlhPositionUncertainty {
         /// Standard deviation north.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Standard deviation east.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Standard deviation down.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -783,15 +786,18 @@ record! {
     pub struct NedVelocityUncertainty {
         /// Standard deviation north.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Standard deviation east.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Standard deviation down.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -829,15 +835,15 @@ record! {
     pub struct EulerAnglesUncertainty {
         /// Standard deviation of roll.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub roll: f32,
         /// Standard deviation of pitch.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pitch: f32,
         /// Standard deviation of yaw.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -867,7 +873,7 @@ record! {
     pub struct GyroBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -895,7 +901,7 @@ record! {
     pub struct AccelBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -997,8 +1003,8 @@ record! {
     pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
-        /// Unit: m/s^2. At rest and level: 9.8. Valid if [`valid_flags.valid`](ValidFlags::valid)
-        /// is set.
+        /// Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gravity_magnitude: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1129,7 +1135,8 @@ record! {
     pub struct Timestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub tow: f64,
         /// GPS week, counted from 1980.
         ///
@@ -1166,7 +1173,8 @@ record! {
     pub struct QuaternionAttitudeUncertainty {
         /// Standard deviation per element.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1234,7 +1242,7 @@ record! {
         pub heading: f32,
         /// Standard deviation of the heading.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
@@ -1363,7 +1371,7 @@ record! {
     pub struct GyroScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1389,7 +1397,7 @@ record! {
     pub struct AccelScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1441,7 +1449,7 @@ record! {
     pub struct MagBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1669,7 +1677,7 @@ record! {
     pub struct MagOffsetUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1697,8 +1705,8 @@ record! {
     pub struct MagMatrixUncertainty {
         /// Standard deviation per element.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Range: at
+        /// least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron_uncertainty: types::Matrix3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1808,7 +1816,7 @@ record! {
     pub struct AntennaOffsetCorrectionUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1870,11 +1878,11 @@ record! {
         pub receiver_id: u8,
         /// Standard deviation of the bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: f32,
         /// Standard deviation of the drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s/s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_drift_uncertainty: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -1935,7 +1943,7 @@ record! {
         pub receiver_id: u8,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1962,7 +1970,7 @@ record! {
     pub struct EcefPositionUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -1991,7 +1999,7 @@ record! {
     pub struct EcefVelocityUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity_uncertainty: types::Vector3f,
         /// Validity of the values.
@@ -2121,7 +2129,7 @@ record! {
         pub receiver_id: u8,
         /// GPS time of week of the last measurement.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: 0 to 604800.
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -2150,7 +2158,8 @@ record! {
     pub struct GnssAttitudeAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
+        /// that of its processing.
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -2181,7 +2190,8 @@ record! {
     pub struct HeadingAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
+        /// that of its processing.
         pub tow: f32,
         /// Source of the heading.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -2218,7 +2228,7 @@ record! {
     pub struct AidingMeasurementSummary {
         /// GPS time of week at the end of the interval.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: 0 to 604800.
         pub tow: f32,
         /// Number of the source of the measurement.
         pub source: u8,
@@ -2280,7 +2290,7 @@ record! {
     pub struct OdometerScaleFactorErrorUncertainty {
         /// Uncertainty of the relative error.
         ///
-        /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_error_uncertainty: f32,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -2307,7 +2317,7 @@ record! {
     pub struct GnssDualAntennaStatus {
         /// GPS time of week of the last measurement.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: 0 to 604800. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub tow: f32,
         /// Heading.
         ///
@@ -2316,7 +2326,7 @@ record! {
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
         /// Kind of solution.
         pub fix_type: DualAntennaFixType,
@@ -2378,11 +2388,11 @@ record! {
         pub frame_id: u8,
         /// Uncertainty of the translation.
         ///
-        /// Elements: x, y, z. Unit: m.
+        /// Elements: x, y, z. Unit: m. Range: at least 0.
         pub translation_uncertainty: types::Vector3f,
         /// Uncertainty of the rotation about each axis.
         ///
-        /// Elements: x, y, z. Unit: rad.
+        /// Elements: x, y, z. Unit: rad. Range: at least 0.
         pub attitude_uncertainty: types::Vector3f,
     }
 }

@@ -119,7 +119,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
     ReceiverResetType: u8 {
-        /// Resets the receiver by its reset line.
+        /// Resets the hardware of the receiver.
         HARDWARE = 1, "hardware";
         /// Restarts all software of the receiver.
         COLD = 2, "cold";

@@ -950,13 +950,13 @@ record! {
         pub msl_height: f64,
         /// Horizontal accuracy.
         ///
-        /// Unit: m. Valid if
+        /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
         pub horizontal_accuracy: f32,
         /// Vertical accuracy.
         ///
-        /// Unit: m. Valid if [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy)
-        /// is set.
+        /// Unit: m. Range: at least 0. Valid if
+        /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
         pub vertical_accuracy: f32,
         /// Which values are valid.
         pub valid_flags: LlhPositionFlags,
@@ -990,7 +990,7 @@ record! {
         pub position: types::Vector3d,
         /// Accuracy of the position.
         ///
-        /// Unit: m. Valid if
+        /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         pub position_accuracy: f32,
         /// Which values are valid.
@@ -1030,7 +1030,8 @@ record! {
         pub speed: f32,
         /// Speed over ground.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
+        /// Unit: m/s. Range: at least 0. Valid if
+        /// [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
         pub ground_speed: f32,
         /// Direction of the motion over ground.
         ///
@@ -1039,13 +1040,13 @@ record! {
         pub heading: f32,
         /// Accuracy of the speed.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is
-        /// set.
+        /// Unit: m/s. Range: at least 0. Valid if
+        /// [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is set.
         pub speed_accuracy: f32,
         /// Accuracy of the heading.
         ///
-        /// Unit: deg. Valid if [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy)
-        /// is set.
+        /// Unit: deg. Range: at least 0. Valid if
+        /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
         pub heading_accuracy: f32,
         /// Which values are valid.
         pub valid_flags: NedVelocityFlags,
@@ -1079,7 +1080,7 @@ record! {
         pub velocity: types::Vector3f,
         /// Accuracy of the velocity.
         ///
-        /// Unit: m/s. Valid if
+        /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         pub velocity_accuracy: f32,
         /// Which values are valid.
@@ -1108,31 +1109,31 @@ record! {
     pub struct Dop {
         /// Geometric dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
         pub gdop: f32,
         /// Position dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
         pub pdop: f32,
         /// Horizontal dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
         pub hdop: f32,
         /// Vertical dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
         pub vdop: f32,
         /// Time dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
         pub tdop: f32,
         /// Northing dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
         pub ndop: f32,
         /// Easting dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         pub edop: f32,
         /// Which values are valid.
         pub valid_flags: DopFlags,
@@ -1218,7 +1219,8 @@ record! {
     pub struct GpsTime {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimeFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsTimeFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1259,8 +1261,8 @@ record! {
         pub drift: f64,
         /// Estimated accuracy.
         ///
-        /// Unit: s. Valid if [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate)
-        /// is set.
+        /// Unit: s. Range: at least 0. Valid if
+        /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
         pub accuracy_estimate: f64,
         /// Which values are valid.
         pub valid_flags: ClockInfoFlags,
@@ -1566,12 +1568,13 @@ record! {
         pub drift: f64,
         /// Accuracy of the bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
+        /// Unit: s. Range: at least 0. Valid if
+        /// [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
         pub bias_accuracy_estimate: f64,
         /// Accuracy of the drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is
-        /// set.
+        /// Unit: s/s. Range: at least 0. Valid if
+        /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
         pub drift_accuracy_estimate: f64,
         /// Which values are valid.
         pub valid_flags: ClockInfo2Flags,
@@ -1627,7 +1630,8 @@ record! {
     pub struct SbasInfo {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](SbasInfoFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](SbasInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1682,7 +1686,7 @@ record! {
         pub count: u8,
         /// GPS time of week of the reception.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1782,8 +1786,9 @@ record! {
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
-        /// Unit: deg. Valid if [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set.
-        /// Uncertain: Whether it is one standard deviation.
+        /// Unit: deg. Range: at least 0. Valid if
+        /// [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set. Uncertain: Whether it is
+        /// one standard deviation.
         pub uncertainty: f32,
         /// Kind of the fix.
         ///
@@ -1823,7 +1828,8 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1840,7 +1846,8 @@ record! {
         pub satellite_id: u8,
         /// Elevation, as seen from the rover.
         ///
-        /// Unit: deg. Valid if [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
+        /// Unit: deg. Range: -90 to 90. Valid if
+        /// [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
         pub elevation: f32,
         /// Azimuth, as seen from the rover.
         ///
@@ -1882,7 +1889,8 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](RawFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](RawFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1930,17 +1938,18 @@ record! {
         pub doppler: f32,
         /// Uncertainty of the pseudorange.
         ///
-        /// Unit: m. Valid if [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
+        /// Unit: m. Range: at least 0. Valid if
+        /// [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
         pub range_uncertainty: f32,
         /// Uncertainty of the carrier phase.
         ///
-        /// Unit: cycle. Valid if
+        /// Unit: cycle. Range: at least 0. Valid if
         /// [`valid_flags.carrier_phase_uncertainty`](RawFlags::carrier_phase_uncertainty) is set.
         pub phase_uncertainty: f32,
         /// Uncertainty of the Doppler shift.
         ///
-        /// Unit: Hz. Valid if [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is
-        /// set.
+        /// Unit: Hz. Range: at least 0. Valid if
+        /// [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is set.
         pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
@@ -1971,7 +1980,8 @@ record! {
     pub struct BaseStationInfo {
         /// GPS time of week at which the message was received.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2023,7 +2033,8 @@ record! {
     pub struct RtkCorrectionsStatus {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2094,7 +2105,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2246,7 +2257,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2368,7 +2379,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2521,7 +2532,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2665,7 +2676,8 @@ record! {
     pub struct GpsIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2706,7 +2718,8 @@ record! {
     pub struct GalileoIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2748,7 +2761,8 @@ record! {
     pub struct BeidouIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///

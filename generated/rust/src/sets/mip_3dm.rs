@@ -255,8 +255,9 @@ constructors! {
 open_enum! {
     /// Motion that a GNSS receiver assumes.
     ///
-    /// Uncertain: The values 1 to 8. The SDK of 2014 numbers the modes 0 to 8; u-blox receivers
-    /// have the same modes as 0 and 2 to 8.
+    /// Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the list in its
+    /// comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources
+    /// have names only; what is said of each mode is inferred from its name.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34).
     ReceiverDynamics: u8 {
@@ -285,7 +286,8 @@ bitfield! {
     /// Processing steps of 3-series devices.
     ///
     /// Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has
-    /// the quaternion as 0x10000, which exceeds 16 bits.
+    /// the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources
+    /// have names only; what is said of each bit is inferred from its name.
     ///
     /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
     /// (0x0C,0x35).
@@ -434,9 +436,9 @@ open_enum! {
         ON = 1, "on";
         /// On with reduced power.
         LOW_POWER = 2, "low_power";
-        /// Asleep.
+        /// Very low power; starts quickly.
         SLEEP = 3, "sleep";
-        /// Off.
+        /// Off or in deep sleep.
         OFF = 4, "off";
     }
 }
@@ -1279,6 +1281,7 @@ record! {
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
+    /// - A stream that you enable begins with current data, not with data from the time before.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1667,7 +1670,8 @@ record! {
         pub function: types::FunctionSelector,
         /// GPS time of week.
         ///
-        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: s. Range: at least 0, less than 604800. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub tow: Option<f64>,
         /// GPS week number since 1980.
         ///
@@ -1675,7 +1679,7 @@ record! {
         pub week_number: Option<u16>,
         /// Accuracy of the time.
         ///
-        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub accuracy: Option<f32>,
     }
     wire 15 {
@@ -2540,14 +2544,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
-    /// Probably changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
-    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
     /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
     /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
-    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). May be supported by
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). May be supported by
     /// [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and MicroStrain
     /// Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are
     /// those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain:
@@ -3446,7 +3450,7 @@ record! {
         pub scaling: Option<f32>,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
-        /// Unit: 1. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: 1. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub uncertainty: Option<f32>,
     }
     wire 10 {
@@ -3891,9 +3895,10 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`]. May
     /// be supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014
     /// and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    /// SDK of 2014 restricts it to the 3DM-GX3-35.
+    /// SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write
+    /// require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in
+    /// place of `format`.
     ///
-    /// - Both parameters are sent with every function.
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
     ///   receiver.
@@ -3956,6 +3961,8 @@ record! {
     /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
     /// devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35.
     /// Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    /// Uncertain: Whether `state` may be left out with functions other than write. The SDK of 2014
+    /// sends `device` with every function, and a 0 in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -5841,7 +5848,7 @@ record! {
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number since 1980.
         ///
@@ -5849,7 +5856,7 @@ record! {
         pub week_number: u16,
         /// Accuracy of the time.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0.
         pub accuracy: f32,
     }
 }
@@ -6298,7 +6305,7 @@ record! {
         pub scaling: f32,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
-        /// Unit: 1.
+        /// Unit: 1. Range: at least 0.
         pub uncertainty: f32,
     }
 }

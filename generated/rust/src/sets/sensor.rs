@@ -133,6 +133,7 @@ record! {
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
     /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
     /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias),
     /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
     /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
@@ -140,9 +141,7 @@ record! {
     /// [`filter::TareOrientation`](crate::filter::TareOrientation),
     /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
     /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
-    /// [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
     /// [`accel_fault`](types::Cv7BuiltInTest::accel_fault) of [`types::Cv7BuiltInTest`],
     /// [`imu_calibration_error_accel`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_accel)
     /// of [`types::Cv7ContinuousBuiltInTest`],
@@ -183,6 +182,7 @@ record! {
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
     /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
     /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
     /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
     /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
@@ -191,9 +191,7 @@ record! {
     /// [`filter::TareOrientation`](crate::filter::TareOrientation),
     /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
     /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
-    /// [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
     /// [`gyro_fault`](types::Cv7BuiltInTest::gyro_fault) of [`types::Cv7BuiltInTest`],
     /// [`imu_calibration_error_gyro`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_gyro)
     /// of [`types::Cv7ContinuousBuiltInTest`],
@@ -283,13 +281,12 @@ record! {
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
     /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
     /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
     /// [`filter::TareOrientation`](crate::filter::TareOrientation),
     /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
     /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// Probably changed by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
     /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
     /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
@@ -322,13 +319,12 @@ record! {
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
     /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
     /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
     /// [`filter::TareOrientation`](crate::filter::TareOrientation),
     /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
     /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
-    /// Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
-    /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
+    /// Probably changed by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
     /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
@@ -363,9 +359,9 @@ record! {
     /// Changed by
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -399,9 +395,9 @@ record! {
     /// Changed by
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -461,9 +457,9 @@ record! {
     /// Changed by
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
-    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm) and
-    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Probably changed by
-    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Supported by
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The ranges of the angles. Uncertain: which
@@ -703,9 +699,9 @@ record! {
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set. On the [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid) is set. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub tow: f64,
@@ -875,7 +871,8 @@ record! {
         pub speed: f32,
         /// Uncertainty of the speed.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        /// Unit: m/s. Range: at least 0. Valid if [`valid_flags.odometer`](OdometerFlags::odometer)
+        /// is set.
         pub uncertainty: f32,
         /// Whether the values are valid.
         pub valid_flags: OdometerFlags,

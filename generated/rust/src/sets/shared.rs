@@ -138,7 +138,8 @@ record! {
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
