@@ -731,11 +731,11 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Changed by `filter.EstimationControl`. Probably changed by `filter.GyroBiasModel`,
-    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Flagged by
-    `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.GyroBias`,
+    `mip_3dm.CaptureGyroBias`, `filter.GyroBiasModel`, `filter.AutoAngularZupt` and
+    `filter.CommandedAngularZupt`. Flagged by `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of
+    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -784,9 +784,10 @@ class AccelBias(Data):
 
     Estimated bias of the accelerometer.
 
-    Changed by `filter.EstimationControl`. Probably changed by `filter.AccelBiasModel`. Flagged by
-    `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags` and
-    `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS.
+    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.AccelBias` and
+    `filter.AccelBiasModel`. Flagged by `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of
+    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """

@@ -7278,7 +7278,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel`. Flagged by
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
     `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -7429,8 +7429,8 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
     `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and
-    `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Supported by
-    3DM-CV7-GNSS/INS.
+    `filter_data.GravityVector`. Probably changes `filter_data.CompAccel` and
+    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
@@ -7553,7 +7553,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
-    Probably changes `filter_data.CompAccel`. Flagged by
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
     `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -8154,10 +8154,10 @@ class AccelBias(Command[R]):
     Bias that is subtracted from the scaled acceleration.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
-    `load` and `default` only.
+    `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
+    `filter_data.AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -8273,11 +8273,12 @@ class GyroBias(Command[R]):
     Bias that is subtracted from the scaled angular rate.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`. Supported
-    by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`,
-    `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load`
-    and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta` and
+    `filter_data.GyroBias`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
+    the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`,
+    `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -8387,10 +8388,11 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
     Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
-    `sensor.DeltaTheta`. Flagged by `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of
-    `filter_data.Cv7StatusFlags`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    `sensor.DeltaTheta` and `filter_data.GyroBias`. Flagged by
+    `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of `filter_data.Cv7StatusFlags`. The device may
+    take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-45.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.

@@ -4022,7 +4022,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Flagged by
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Flagged by
  * MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING of mip_filter_data_cv7_status_flags.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -4207,8 +4208,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
  * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Supported by
- * 3DM-CV7-GNSS/INS.
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_dcm set the same transformation;
  * the value read back may be another form of it.
@@ -4385,7 +4386,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
- * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Flagged by
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Flagged by
  * MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING of mip_filter_data_cv7_status_flags.
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -5086,9 +5088,9 @@ static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
- * mip_sensor_delta_velocity. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
- * only.
+ * mip_sensor_delta_velocity and mip_filter_data_accel_bias. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
+ * write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -5257,10 +5259,10 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
- * mip_sensor_delta_theta. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and
- * default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_sensor_delta_theta and mip_filter_data_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+ * write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save, load and default
+ * only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5428,10 +5430,10 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
- * mip_sensor_delta_theta. Flagged by MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of
- * mip_filter_data_cv7_status_flags. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * mip_sensor_delta_theta and mip_filter_data_gyro_bias. Flagged by
+ * MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of mip_filter_data_cv7_status_flags. The device
+ * may take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *

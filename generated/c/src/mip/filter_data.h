@@ -890,11 +890,12 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
  *
  * Estimated bias of the gyroscope.
  *
- * Changed by mip_filter_estimation_control. Probably changed by mip_filter_gyro_bias_model,
- * mip_filter_auto_angular_zupt and mip_filter_commanded_angular_zupt. Flagged by
- * MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH of mip_filter_data_gx5_status_flags and
- * MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of mip_filter_data_cv7_status_flags. Supported
- * by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_filter_estimation_control. Probably changed by mip_3dm_gyro_bias,
+ * mip_3dm_capture_gyro_bias, mip_filter_gyro_bias_model, mip_filter_auto_angular_zupt and
+ * mip_filter_commanded_angular_zupt. Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH
+ * of mip_filter_data_gx5_status_flags and MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of
+ * mip_filter_data_cv7_status_flags. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -968,8 +969,8 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
  *
  * Estimated bias of the accelerometer.
  *
- * Changed by mip_filter_estimation_control. Probably changed by mip_filter_accel_bias_model.
- * Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH of
+ * Changed by mip_filter_estimation_control. Probably changed by mip_3dm_accel_bias and
+ * mip_filter_accel_bias_model. Flagged by MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH of
  * mip_filter_data_gx5_status_flags and MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING of
  * mip_filter_data_cv7_status_flags. Supported by 3DM-CV7-GNSS/INS.
  *

@@ -673,7 +673,9 @@ record! {
     /// Estimated bias of the gyroscope.
     ///
     /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
-    /// by [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
+    /// by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
+    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
     /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
     /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Flagged by
     /// [`run_gyro_bias_est_high_warning`](Gx5StatusFlags::run_gyro_bias_est_high_warning) of
@@ -706,7 +708,8 @@ record! {
     /// Estimated bias of the accelerometer.
     ///
     /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
-    /// by [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Flagged by
+    /// by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
+    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Flagged by
     /// [`run_accel_bias_est_high_warning`](Gx5StatusFlags::run_accel_bias_est_high_warning) of
     /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
     /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).

@@ -2239,7 +2239,9 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
-    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Flagged by
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
+    /// by
     /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
     /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -2337,8 +2339,9 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
-    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
@@ -2418,7 +2421,9 @@ record! {
     /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
     /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
-    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Flagged by
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
+    /// by
     /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
     /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -2713,7 +2718,8 @@ record! {
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
     /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably changes
-    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity) and
+    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -2783,7 +2789,8 @@ record! {
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
     /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
-    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta). Supported by
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2857,7 +2864,8 @@ record! {
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
-    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta). Flagged by
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Flagged by
     /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
     /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
     /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),

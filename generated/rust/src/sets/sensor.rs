@@ -427,10 +427,13 @@ record! {
     ///
     /// Change of the attitude from the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
-    /// interval of the change and the frames. The SDK and the SDK of 2014 state the name and the
-    /// layout only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
+    /// and [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK. Uncertain: The interval of the change and the frames. The SDK and the SDK of 2014 state
+    /// the name and the layout only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B); mip-sdk-2014: Orientation
     /// Update Matrix (0x80,0x0B).
