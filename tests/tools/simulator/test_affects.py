@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from mip_protocol import base, filter as commands, mip_3dm
+from mip_protocol import base, mip_3dm
+from mip_protocol import filter as commands
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.motion import Circle
 from mip_tools.simulator.values import encoder
