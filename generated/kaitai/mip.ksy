@@ -1508,10 +1508,10 @@ types:
         type: b11
       - id: vertical_accuracy
         type: b1
-        doc: Vertical accuracy.
+        doc: "`vertical_accuracy` is valid."
       - id: horizontal_accuracy
         type: b1
-        doc: Horizontal accuracy.
+        doc: "`horizontal_accuracy` is valid."
       - id: msl_height
         type: b1
         doc: Height above mean sea level.
@@ -1536,7 +1536,7 @@ types:
         doc: Accuracy of the position.
       - id: position
         type: b1
-        doc: Position.
+        doc: "`position` is valid."
     instances:
       flags:
         value: "(position ? 1 : 0) + (position_accuracy ? 2 : 0)"
@@ -1555,7 +1555,7 @@ types:
         doc: Accuracy of the speed.
       - id: heading
         type: b1
-        doc: Heading.
+        doc: "`heading` is valid."
       - id: ground_speed
         type: b1
         doc: Speed over ground.
@@ -1580,7 +1580,7 @@ types:
         doc: Accuracy of the velocity.
       - id: velocity
         type: b1
-        doc: Velocity.
+        doc: "`velocity` is valid."
     instances:
       flags:
         value: "(velocity ? 1 : 0) + (velocity_accuracy ? 2 : 0)"
@@ -1640,7 +1640,7 @@ types:
         type: b14
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -1659,10 +1659,10 @@ types:
         doc: Accuracy.
       - id: drift
         type: b1
-        doc: Drift.
+        doc: "`drift` is valid."
       - id: bias
         type: b1
-        doc: Bias.
+        doc: "`bias` is valid."
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (accuracy_estimate ? 4 : 0)"
@@ -1687,7 +1687,7 @@ types:
         type: b13
       - id: fix_flags
         type: b1
-        doc: Fix flags.
+        doc: "`fix_flags` is valid."
       - id: num_sv
         type: b1
         doc: Number of satellites.
@@ -1721,10 +1721,10 @@ types:
         doc: State of the satellite.
       - id: elevation
         type: b1
-        doc: Elevation.
+        doc: "`elevation` is valid."
       - id: azimuth
         type: b1
-        doc: Azimuth.
+        doc: "`azimuth` is valid."
       - id: carrier_noise_ratio
         type: b1
         doc: Carrier to noise density ratio.
@@ -1733,7 +1733,7 @@ types:
         doc: Satellite.
       - id: channel
         type: b1
-        doc: Channel.
+        doc: "`channel` is valid."
     instances:
       flags:
         value: "(channel ? 1 : 0) + (satellite_id ? 2 : 0) + (carrier_noise_ratio ? 4 : 0) + (azimuth ? 8 : 0) + (elevation ? 16 : 0) + (sv_flags ? 32 : 0)"
@@ -1774,7 +1774,7 @@ types:
         doc: Number of the base station.
       - id: age
         type: b1
-        doc: Age.
+        doc: "`age` is valid."
     instances:
       flags:
         value: "(age ? 1 : 0) + (base_station_id ? 2 : 0) + (base_station_status ? 4 : 0) + (num_channels ? 8 : 0)"
@@ -1793,7 +1793,7 @@ types:
         doc: Correction of the range.
       - id: age
         type: b1
-        doc: Age.
+        doc: "`age` is valid."
       - id: satellite_id
         type: b1
         doc: Satellite.
@@ -1815,10 +1815,10 @@ types:
         doc: Accuracy of the bias.
       - id: drift
         type: b1
-        doc: Drift.
+        doc: "`drift` is valid."
       - id: bias
         type: b1
-        doc: Bias.
+        doc: "`bias` is valid."
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (bias_accuracy ? 4 : 0) + (drift_accuracy ? 8 : 0)"
@@ -1831,7 +1831,7 @@ types:
         type: b14
       - id: leap_seconds
         type: b1
-        doc: Leap seconds.
+        doc: "`leap_seconds` is valid."
       - id: unused_0
         type: b1
   gnss_data_sbas_status:
@@ -1872,7 +1872,7 @@ types:
         doc: System.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -1935,7 +1935,7 @@ types:
         doc: Uncertainty of the heading.
       - id: heading
         type: b1
-        doc: Heading.
+        doc: "`heading` is valid."
     instances:
       flags:
         value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
@@ -1948,13 +1948,13 @@ types:
         type: b9
       - id: health
         type: b1
-        doc: Health.
+        doc: "`health` is valid."
       - id: azimuth
         type: b1
-        doc: Azimuth.
+        doc: "`azimuth` is valid."
       - id: elevation
         type: b1
-        doc: Elevation.
+        doc: "`elevation` is valid."
       - id: satellite_id
         type: b1
         doc: Satellite.
@@ -1963,7 +1963,7 @@ types:
         doc: Constellation.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -1977,7 +1977,7 @@ types:
     seq:
       - id: lock_time
         type: b1
-        doc: Lock time.
+        doc: "`lock_time` is valid."
       - id: doppler_uncertainty
         type: b1
         doc: Uncertainty of the Doppler shift.
@@ -1992,16 +1992,16 @@ types:
         doc: Doppler shift.
       - id: carrier_phase
         type: b1
-        doc: Carrier phase.
+        doc: "`carrier_phase` is valid."
       - id: pseudorange
         type: b1
-        doc: Pseudorange.
+        doc: "`pseudorange` is valid."
       - id: quality
         type: b1
         doc: Signal quality.
       - id: signal_strength
         type: b1
-        doc: Signal strength.
+        doc: "`signal_strength` is valid."
       - id: signal_id
         type: b1
         doc: Signal.
@@ -2013,13 +2013,13 @@ types:
         doc: Constellation.
       - id: tracking_channel
         type: b1
-        doc: Tracking channel.
+        doc: "`tracking_channel` is valid."
       - id: receiver_id
         type: b1
         doc: Receiver or reference station.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2069,7 +2069,7 @@ types:
         type: b10
       - id: indicators
         type: b1
-        doc: Indicators.
+        doc: "`indicators` is valid."
       - id: station_id
         type: b1
         doc: Station.
@@ -2081,7 +2081,7 @@ types:
         doc: Position.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2145,10 +2145,10 @@ types:
         doc: Status of the dongle.
       - id: epoch_status
         type: b1
-        doc: Epoch status.
+        doc: "`epoch_status` is valid."
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2202,7 +2202,7 @@ types:
         doc: Coefficients alpha.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2224,7 +2224,7 @@ types:
         doc: Coefficients.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2249,7 +2249,7 @@ types:
         doc: Coefficients alpha.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -5028,7 +5028,7 @@ types:
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ned."
       - id: position_uncertainty
         type: ned3f
         doc: "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0."
@@ -6687,7 +6687,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -6750,7 +6750,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -6769,7 +6769,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: uncertainty
         type: ned3f
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
@@ -6807,7 +6807,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: heading
         type: f4
-        doc: "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: rad. Range: greater than 0."
@@ -6826,7 +6826,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: magnetic_field
         type: vector3f
-        doc: "Magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -6977,14 +6977,14 @@ types:
     seq:
       - id: scaled_accel
         type: vector3f
-        doc: "Acceleration. Unit: g. Frame: vehicle."
+        doc: "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle."
   sensor_scaled_gyro:
     -orig-id: sensor.scaled_gyro
     doc: Scaled gyro. Measured angular rate, temperature compensated.
     seq:
       - id: scaled_gyro
         type: vector3f
-        doc: "Angular rate. Unit: rad/s. Frame: vehicle."
+        doc: "Angular rate about each axis. Unit: rad/s. Frame: vehicle."
   sensor_scaled_mag:
     -orig-id: sensor.scaled_mag
     doc: Scaled mag. Measured magnetic field, temperature compensated.
@@ -7118,7 +7118,7 @@ types:
         doc: "Highest temperature. Unit: degC."
       - id: mean_temperature
         type: f4
-        doc: "Mean temperature. Unit: degC."
+        doc: "Mean of the temperatures inside the device. Unit: degC."
   sensor_raw_pressure:
     -orig-id: sensor.raw_pressure
     doc: Raw pressure. Raw ambient pressure in counts of the sensor, temperature compensated.
@@ -7171,33 +7171,33 @@ types:
         doc: "Height above mean sea level. Unit: m. Valid if `valid_flags.msl_height` is set."
       - id: horizontal_accuracy
         type: f4
-        doc: "Horizontal accuracy. Unit: m. Range: at least 0. Valid if `valid_flags.horizontal_accuracy` is set."
+        doc: "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if `valid_flags.horizontal_accuracy` is set."
       - id: vertical_accuracy
         type: f4
-        doc: "Vertical accuracy. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
+        doc: "Estimated error of the heights. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
       - id: valid_flags
         type: gnss_data_llh_position_flags
-        doc: Which values are valid.
+        doc: Which parts of the position are valid.
   gnss_data_ecef_position:
     -orig-id: gnss_data.ecef_position
     doc: GNSS ECEF position. GNSS position in Earth-fixed coordinates.
     seq:
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
+        doc: "Position of the antenna. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
       - id: position_accuracy
         type: f4
         doc: "Accuracy of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
-        doc: Which values are valid.
+        doc: Which parts of the position are valid.
   gnss_data_ned_velocity:
     -orig-id: gnss_data.ned_velocity
     doc: NED velocity. GNSS velocity in the local level frame.
     seq:
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
       - id: speed
         type: f4
         doc: "Speed in space. Unit: m/s. Valid if `valid_flags.speed_3d` is set."
@@ -7215,20 +7215,20 @@ types:
         doc: "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
-        doc: Which values are valid.
+        doc: Which parts of the velocity are valid.
   gnss_data_ecef_velocity:
     -orig-id: gnss_data.ecef_velocity
     doc: GNSS ECEF velocity. GNSS velocity in Earth-fixed coordinates.
     seq:
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
       - id: velocity_accuracy
         type: f4
         doc: "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
-        doc: Which values are valid.
+        doc: Which parts of the velocity are valid.
   gnss_data_dop:
     -orig-id: gnss_data.dop
     doc: DOP. Dilution of precision of the satellite geometry.
@@ -7256,7 +7256,7 @@ types:
         doc: "Easting dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.edop` is set."
       - id: valid_flags
         type: gnss_data_dop_flags
-        doc: Which values are valid.
+        doc: Which dilutions of precision are valid.
   gnss_data_utc_time:
     -orig-id: gnss_data.utc_time
     doc: UTC time. Coordinated universal time as the receiver knows it.
@@ -7297,7 +7297,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: gnss_data_gps_time_flags
-        doc: Which values are valid.
+        doc: Which parts of the time are valid.
   gnss_data_clock_info:
     -orig-id: gnss_data.clock_info
     doc: Clock info. Bias and drift of the receiver clock.
@@ -7313,7 +7313,7 @@ types:
         doc: "Estimated accuracy. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
-        doc: Which values are valid.
+        doc: Which clock parameters are valid.
   gnss_data_fix_info:
     -orig-id: gnss_data.fix_info
     doc: Fix info. Type of the position fix and what it is based on.
@@ -7330,7 +7330,7 @@ types:
         doc: "What the fix uses. Valid if `valid_flags.fix_flags` is set."
       - id: valid_flags
         type: gnss_data_fix_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the fix information are valid.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
     doc: Satellite info. One satellite that is tracked.
@@ -7346,16 +7346,16 @@ types:
         doc: "Carrier to noise density ratio. Unit: dB-Hz. Valid if `valid_flags.carrier_noise_ratio` is set."
       - id: azimuth
         type: s2
-        doc: "Azimuth. Unit: deg. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite, from north. Unit: deg. Valid if `valid_flags.azimuth` is set."
       - id: elevation
         type: s2
-        doc: "Elevation. Unit: deg. Valid if `valid_flags.elevation` is set."
+        doc: "Angle of the satellite above the horizon. Unit: deg. Valid if `valid_flags.elevation` is set."
       - id: sv_flags
         type: gnss_data_sv_flags
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
       - id: valid_flags
         type: gnss_data_sv_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the satellite info are valid.
   gnss_data_hardware_status:
     -orig-id: gnss_data.hardware_status
     doc: GNSS hardware status. State of the receiver and of its antenna.
@@ -7374,7 +7374,7 @@ types:
         doc: "Supply of the antenna. Valid if `valid_flags.antenna_power` is set."
       - id: valid_flags
         type: gnss_data_hardware_status_flags
-        doc: Which values are valid.
+        doc: Which parts of the hardware status are valid.
   gnss_data_dgps_info:
     -orig-id: gnss_data.dgps_info
     doc: DGPS info. State of the differential corrections.
@@ -7393,7 +7393,7 @@ types:
         doc: "Number of channels that have corrections. Unit: 1. Valid if `valid_flags.num_channels` is set."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the state of the corrections are valid.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
     doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
@@ -7412,7 +7412,7 @@ types:
         doc: "Correction of the range rate. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the state of the corrections are valid.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
     doc: DGPS channel. Differential correction for one satellite.
@@ -7431,7 +7431,7 @@ types:
         doc: "Correction of the range rate. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
       - id: valid_flags
         type: gnss_data_dgps_channel_flags
-        doc: Which values are valid.
+        doc: Which parts of a differential correction are valid.
   gnss_data_clock_info_2:
     -orig-id: gnss_data.clock_info_2
     doc: Clock info 2. Bias and drift of the receiver clock.
@@ -7450,7 +7450,7 @@ types:
         doc: "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
-        doc: Which values are valid.
+        doc: Which clock parameters are valid.
   gnss_data_gps_leap_seconds:
     -orig-id: gnss_data.gps_leap_seconds
     doc: GPS leap seconds. Difference between GPS time and UTC.
@@ -7486,7 +7486,7 @@ types:
         doc: "Status of the service. Valid if `valid_flags.sbas_status` is set."
       - id: valid_flags
         type: gnss_data_sbas_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the SBAS status are valid.
   gnss_data_sbas_correction:
     -orig-id: gnss_data.sbas_correction
     doc: SBAS correction. SBAS correction for one satellite.
@@ -7521,7 +7521,7 @@ types:
         doc: "Correction of the ionospheric delay. Unit: m. Valid if `valid_flags.iono_correction` is set."
       - id: valid_flags
         type: gnss_data_sbas_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of an SBAS correction are valid.
   gnss_data_rf_error_detection:
     -orig-id: gnss_data.rf_error_detection
     doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
@@ -7548,7 +7548,7 @@ types:
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
-        doc: Which values are valid.
+        doc: Which parts of the detection are valid.
   gnss_data_heading:
     -orig-id: gnss_data.heading
     doc: GNSS heading. Heading that the receiver computes from its antennas.
@@ -7565,7 +7565,7 @@ types:
         doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
       - id: valid_flags
         type: gnss_data_heading_flags
-        doc: Which values are valid.
+        doc: Which parts of the heading are valid.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
     doc: Satellite status. Direction to one satellite, and its health.
@@ -7600,7 +7600,7 @@ types:
         doc: "Whether the satellite is healthy. Valid if `valid_flags.health` is set."
       - id: valid_flags
         type: gnss_data_satellite_status_flags
-        doc: Which values are valid.
+        doc: Which parts of the satellite status are valid.
   gnss_data_raw:
     -orig-id: gnss_data.raw
     doc: Raw. Raw observation of one signal of one satellite.
@@ -7664,7 +7664,7 @@ types:
         doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
-        doc: Which values are valid.
+        doc: Which parts of the observation are valid.
   gnss_data_base_station_info:
     -orig-id: gnss_data.base_station_info
     doc: Base station info. The base station of the corrections, from an RTCM message 1005 or 1006.
@@ -8146,7 +8146,7 @@ types:
         doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
       - id: valid_flags
         type: gnss_data_gps_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   gnss_data_galileo_iono_correction:
     -orig-id: gnss_data.galileo_iono_correction
     doc: Galileo ionospheric correction. Model of the ionosphere that Galileo broadcasts.
@@ -8167,7 +8167,7 @@ types:
         doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
       - id: valid_flags
         type: gnss_data_galileo_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   gnss_data_beidou_iono_correction:
     -orig-id: gnss_data.beidou_iono_correction
     doc: BeiDou ionospheric correction. Model of the ionosphere that BeiDou broadcasts.
@@ -8195,7 +8195,7 @@ types:
         doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set."
       - id: valid_flags
         type: gnss_data_beidou_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   filter_data_llh_position:
     -orig-id: filter_data.llh_position
     doc: LLH position. Estimated position.
@@ -8211,7 +8211,7 @@ types:
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_velocity:
     -orig-id: filter_data.ned_velocity
     doc: NED velocity. Estimated velocity.
@@ -8227,7 +8227,7 @@ types:
         doc: "Velocity down. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_attitude_quaternion:
     -orig-id: filter_data.attitude_quaternion
     doc: Attitude quaternion. Estimated orientation of the vehicle frame in the NED frame as a quaternion.
@@ -8237,7 +8237,7 @@ types:
         doc: "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_attitude_dcm:
     -orig-id: filter_data.attitude_dcm
     doc: Attitude direction cosine matrix. Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
@@ -8247,43 +8247,43 @@ types:
         doc: "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_euler_angles:
     -orig-id: filter_data.euler_angles
     doc: Euler angles. Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     seq:
       - id: roll
         type: f4
-        doc: "Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_bias:
     -orig-id: filter_data.gyro_bias
     doc: Gyroscope bias. Estimated bias of the gyroscope.
     seq:
       - id: bias
         type: vector3f
-        doc: "Bias. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_bias:
     -orig-id: filter_data.accel_bias
     doc: Accelerometer bias. Estimated bias of the accelerometer.
     seq:
       - id: bias
         type: vector3f
-        doc: "Bias. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_llh_position_uncertainty:
     -orig-id: filter_data.llh_position_uncertainty
     doc: Position uncertainty. Standard deviation of the estimated position, in the NED frame.
@@ -8299,7 +8299,7 @@ types:
         doc: "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_velocity_uncertainty:
     -orig-id: filter_data.ned_velocity_uncertainty
     doc: NED velocity uncertainty. Standard deviation of the estimated velocity.
@@ -8315,7 +8315,7 @@ types:
         doc: "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_euler_angles_uncertainty:
     -orig-id: filter_data.euler_angles_uncertainty
     doc: Euler angles uncertainty. Standard deviation of the estimated Euler angles.
@@ -8331,7 +8331,7 @@ types:
         doc: "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_bias_uncertainty:
     -orig-id: filter_data.gyro_bias_uncertainty
     doc: Gyroscope bias uncertainty. Standard deviation of the estimated gyroscope bias.
@@ -8341,7 +8341,7 @@ types:
         doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_bias_uncertainty:
     -orig-id: filter_data.accel_bias_uncertainty
     doc: Accelerometer bias uncertainty. Standard deviation of the estimated accelerometer bias.
@@ -8351,17 +8351,17 @@ types:
         doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_linear_accel:
     -orig-id: filter_data.linear_accel
     doc: Linear acceleration. Rate of change of the velocity, with the effect of gravity removed.
     seq:
       - id: accel
         type: vector3f
-        doc: "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_comp_angular_rate:
     -orig-id: filter_data.comp_angular_rate
     doc: Compensated angular rate. Angular rate without the estimated bias.
@@ -8371,7 +8371,7 @@ types:
         doc: "Angular rate. Unit: rad/s. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_wgs84_gravity_magnitude:
     -orig-id: filter_data.wgs84_gravity_magnitude
     doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model.
@@ -8381,7 +8381,7 @@ types:
         doc: "Magnitude of gravity. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_status:
     -orig-id: filter_data.status
     doc: Filter status. State, dynamics mode, condition and warnings of the filter.
@@ -8407,7 +8407,7 @@ types:
         doc: "GPS week, counted from 1980. Unit: week. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_quaternion_attitude_uncertainty:
     -orig-id: filter_data.quaternion_attitude_uncertainty
     doc: Quaternion uncertainty. Standard deviation of the elements of the estimated attitude quaternion.
@@ -8417,17 +8417,17 @@ types:
         doc: "Standard deviation per element. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gravity_vector:
     -orig-id: filter_data.gravity_vector
     doc: Gravity vector. Estimated gravity.
     seq:
       - id: gravity
         type: vector3f
-        doc: "Gravity. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Gravity, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_heading_update_state:
     -orig-id: filter_data.heading_update_state
     doc: Heading update source state. The last heading that updated the filter and where it came from.
@@ -8443,29 +8443,29 @@ types:
         doc: Sources of the heading.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_magnetic_model:
     -orig-id: filter_data.magnetic_model
     doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model.
     seq:
       - id: intensity_north
         type: f4
-        doc: "Intensity north. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Northward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_east
         type: f4
-        doc: "Intensity east. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Eastward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_down
         type: f4
-        doc: "Intensity down. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Downward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
-        doc: "Inclination. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle of the field below the horizontal plane. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: declination
         type: f4
-        doc: "Declination. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle from true north to magnetic north. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_scale_factor:
     -orig-id: filter_data.gyro_scale_factor
     doc: Gyroscope scale factor. Estimated scale factor of the gyroscope.
@@ -8475,7 +8475,7 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_scale_factor:
     -orig-id: filter_data.accel_scale_factor
     doc: Accelerometer scale factor. Estimated scale factor of the accelerometer.
@@ -8485,7 +8485,7 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_scale_factor_uncertainty:
     -orig-id: filter_data.gyro_scale_factor_uncertainty
     doc: Gyroscope scale factor uncertainty. Standard deviation of the estimated scale factor of the gyroscope.
@@ -8495,7 +8495,7 @@ types:
         doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_scale_factor_uncertainty:
     -orig-id: filter_data.accel_scale_factor_uncertainty
     doc: Accelerometer scale factor uncertainty. Standard deviation of the estimated scale factor of the accelerometer.
@@ -8505,7 +8505,7 @@ types:
         doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_bias:
     -orig-id: filter_data.mag_bias
     doc: Magnetometer bias. Estimated bias of the magnetometer.
@@ -8515,7 +8515,7 @@ types:
         doc: "Bias. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_bias_uncertainty:
     -orig-id: filter_data.mag_bias_uncertainty
     doc: Magnetometer bias uncertainty. Standard deviation of the estimated bias of the magnetometer.
@@ -8525,7 +8525,7 @@ types:
         doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
     doc: Compensated acceleration. Acceleration without the estimated bias; it includes gravity.
@@ -8535,7 +8535,7 @@ types:
         doc: "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_standard_atmosphere:
     -orig-id: filter_data.standard_atmosphere
     doc: Standard atmosphere. US Standard Atmosphere of 1976 at the altitude of the device.
@@ -8545,7 +8545,7 @@ types:
         doc: "Altitude used in the model. Unit: m. Valid if `valid_flags.valid` is set."
       - id: geopotential_altitude
         type: f4
-        doc: "Geopotential altitude. Unit: m. Valid if `valid_flags.valid` is set."
+        doc: "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if `valid_flags.valid` is set."
       - id: standard_temperature
         type: f4
         doc: "Temperature. Unit: degC. Valid if `valid_flags.valid` is set."
@@ -8557,7 +8557,7 @@ types:
         doc: "Density. Unit: kg/m^3. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_pressure_altitude:
     -orig-id: filter_data.pressure_altitude
     doc: Pressure altitude. Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
@@ -8567,7 +8567,7 @@ types:
         doc: "Altitude. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
     doc: Density altitude. The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
@@ -8577,7 +8577,7 @@ types:
         doc: "Altitude. Unit: m. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_offset:
     -orig-id: filter_data.mag_offset
     doc: Magnetometer offset. Estimated hard iron offset of the magnetometer.
@@ -8587,7 +8587,7 @@ types:
         doc: "Hard iron offset. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_matrix:
     -orig-id: filter_data.mag_matrix
     doc: Magnetometer matrix. Estimated soft iron matrix of the magnetometer.
@@ -8597,7 +8597,7 @@ types:
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_offset_uncertainty:
     -orig-id: filter_data.mag_offset_uncertainty
     doc: Magnetometer offset uncertainty. Standard deviation of the estimated hard iron offset.
@@ -8607,7 +8607,7 @@ types:
         doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_matrix_uncertainty:
     -orig-id: filter_data.mag_matrix_uncertainty
     doc: Magnetometer matrix uncertainty. Standard deviation of the estimated soft iron matrix.
@@ -8617,7 +8617,7 @@ types:
         doc: "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_covariance_matrix:
     -orig-id: filter_data.mag_covariance_matrix
     doc: Magnetometer covariance matrix. Covariance of the magnetometer measurement.
@@ -8627,7 +8627,7 @@ types:
         doc: "Covariance matrix in row-major order. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_residual_vector:
     -orig-id: filter_data.mag_residual_vector
     doc: Magnetometer residual vector. Residual of the magnetometer measurement.
@@ -8637,7 +8637,7 @@ types:
         doc: "Residual. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_antenna_offset_correction:
     -orig-id: filter_data.antenna_offset_correction
     doc: Antenna offset correction. Estimated error of the offset of the GNSS antenna.
@@ -8647,7 +8647,7 @@ types:
         doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.antenna_offset_correction_uncertainty
     doc: Antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of the GNSS antenna.
@@ -8657,7 +8657,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_clock_correction:
     -orig-id: filter_data.clock_correction
     doc: Clock correction. Estimated clock error of one GNSS receiver.
@@ -8673,7 +8673,7 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_clock_correction_uncertainty:
     -orig-id: filter_data.clock_correction_uncertainty
     doc: Clock correction uncertainty. Standard deviation of the estimated clock error of one GNSS receiver.
@@ -8689,7 +8689,7 @@ types:
         doc: "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_multi_antenna_offset_correction:
     -orig-id: filter_data.multi_antenna_offset_correction
     doc: Multi-antenna offset correction. Estimated error of the offset of one GNSS antenna.
@@ -8702,7 +8702,7 @@ types:
         doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_multi_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.multi_antenna_offset_correction_uncertainty
     doc: Multi-antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of one GNSS antenna.
@@ -8715,7 +8715,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_position_uncertainty:
     -orig-id: filter_data.ecef_position_uncertainty
     doc: ECEF position uncertainty. Standard deviation of the estimated position.
@@ -8725,7 +8725,7 @@ types:
         doc: "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_velocity_uncertainty:
     -orig-id: filter_data.ecef_velocity_uncertainty
     doc: ECEF velocity uncertainty. Standard deviation of the estimated velocity.
@@ -8735,37 +8735,37 @@ types:
         doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_position:
     -orig-id: filter_data.ecef_position
     doc: ECEF position. Estimated position.
     seq:
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Position of the reference point. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_velocity:
     -orig-id: filter_data.ecef_velocity
     doc: ECEF velocity. Estimated velocity.
     seq:
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Velocity of the reference point. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_relative_position:
     -orig-id: filter_data.ned_relative_position
     doc: "NED relative position. Estimated position relative to the point that `filter_relative_position_config` sets."
     seq:
       - id: relative_position
         type: ned3d
-        doc: "Relative position. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "From the reference point to the device. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gnss_position_aiding_status:
     -orig-id: filter_data.gnss_position_aiding_status
     doc: GNSS position aiding status. How the filter uses the position measurements of one GNSS receiver.
@@ -8841,7 +8841,7 @@ types:
         doc: "Relative error. Unit: 1. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_odometer_scale_factor_error_uncertainty:
     -orig-id: filter_data.odometer_scale_factor_error_uncertainty
     doc: Odometer scale factor error uncertainty. Uncertainty of the estimated error of the odometer scale factor.
@@ -8851,7 +8851,7 @@ types:
         doc: "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gnss_dual_antenna_status:
     -orig-id: filter_data.gnss_dual_antenna_status
     doc: GNSS dual antenna status. Heading that two GNSS antennas give.
@@ -8861,7 +8861,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
-        doc: "Heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Heading that follows from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -8874,7 +8874,7 @@ types:
         doc: Inputs available to the solution.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_aiding_frame_config_error:
     -orig-id: filter_data.aiding_frame_config_error
     doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines; it is corrected for."

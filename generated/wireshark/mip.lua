@@ -292,12 +292,12 @@ F["gnss_data.llh_position_flags"] = {
   { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
   { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Height above the ellipsoid." },
   { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height above mean sea level." },
-  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Horizontal accuracy." },
-  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Vertical accuracy." },
+  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`horizontal_accuracy` is valid." },
+  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`vertical_accuracy` is valid." },
   { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
 }
 F["gnss_data.ecef_position_flags"] = {
-  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Position." },
+  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`position` is valid." },
   { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the position." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
@@ -305,13 +305,13 @@ F["gnss_data.ned_velocity_flags"] = {
   { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity vector." },
   { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Speed in space." },
   { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Speed over ground." },
-  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Heading." },
+  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`heading` is valid." },
   { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Accuracy of the speed." },
   { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Accuracy of the heading." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
 F["gnss_data.ecef_velocity_flags"] = {
-  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity." },
+  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`velocity` is valid." },
   { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the velocity." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
@@ -332,12 +332,12 @@ F["gnss_data.utc_time_flags"] = {
 }
 F["gnss_data.gps_time_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
 F["gnss_data.clock_info_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
   { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
@@ -348,7 +348,7 @@ F["gnss_data.fix_flags"] = {
 F["gnss_data.fix_info_flags"] = {
   { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Type of the fix." },
   { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of satellites." },
-  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Fix flags." },
+  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`fix_flags` is valid." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.sv_flags"] = {
@@ -356,11 +356,11 @@ F["gnss_data.sv_flags"] = {
   { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "It is healthy." },
 }
 F["gnss_data.sv_info_flags"] = {
-  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Channel." },
+  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`channel` is valid." },
   { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Satellite." },
   { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Carrier to noise density ratio." },
-  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Azimuth." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
+  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`azimuth` is valid." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
   { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "State of the satellite." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
@@ -374,7 +374,7 @@ F["gnss_data.hardware_status_flags"] = {
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.dgps_info_flags"] = {
-  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Age." },
+  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`age` is valid." },
   { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of the base station." },
   { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "State of the base station." },
   { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Number of channels." },
@@ -382,20 +382,20 @@ F["gnss_data.dgps_info_flags"] = {
 }
 F["gnss_data.dgps_channel_flags"] = {
   { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite." },
-  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Age." },
+  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`age` is valid." },
   { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the range." },
   { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Correction of the range rate." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.clock_info_2_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
   { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy of the bias." },
   { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Accuracy of the drift." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.gps_leap_seconds_flags"] = {
-  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Leap seconds." },
+  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`leap_seconds` is valid." },
 }
 E["gnss_data.sbas_system"] = { [0] = "unknown", [1] = "waas", [2] = "egnos", [3] = "msas", [4] = "gagan", }
 F["gnss_data.sbas_status"] = {
@@ -406,7 +406,7 @@ F["gnss_data.sbas_status"] = {
 }
 F["gnss_data.sbas_info_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "System." },
   { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
   { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Number of corrections." },
@@ -431,39 +431,39 @@ F["gnss_data.rf_error_detection_flags"] = {
 }
 E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
 F["gnss_data.heading_flags"] = {
-  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Heading." },
+  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`heading` is valid." },
   { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Uncertainty of the heading." },
   { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Kind of the fix." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.satellite_status_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Constellation." },
   { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
-  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Azimuth." },
-  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Health." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
+  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`azimuth` is valid." },
+  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`health` is valid." },
   { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
 }
 E["gnss_data.signal_quality"] = { [0] = "none", [1] = "searching", [2] = "acquired", [3] = "unusable", [4] = "time_locked", [5] = "fully_locked", }
 F["gnss_data.raw_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Receiver or reference station." },
-  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Tracking channel." },
+  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`tracking_channel` is valid." },
   { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Constellation." },
   { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Satellite." },
   { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Signal." },
-  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Signal strength." },
+  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "`signal_strength` is valid." },
   { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Signal quality." },
-  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Pseudorange." },
-  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Carrier phase." },
+  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "`pseudorange` is valid." },
+  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "`carrier_phase` is valid." },
   { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Doppler shift." },
   { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Uncertainty of the pseudorange." },
   { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "Uncertainty of the carrier phase." },
   { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "Uncertainty of the Doppler shift." },
-  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "Lock time." },
+  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "`lock_time` is valid." },
   { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All of them." },
 }
 F["gnss_data.base_station_indicators"] = {
@@ -479,11 +479,11 @@ F["gnss_data.base_station_indicators"] = {
 }
 F["gnss_data.base_station_info_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Position." },
   { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Antenna height." },
   { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Station." },
-  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Indicators." },
+  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`indicators` is valid." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
 F["gnss_data.rtk_epoch_status"] = {
@@ -499,8 +499,8 @@ F["gnss_data.rtk_epoch_status"] = {
 }
 F["gnss_data.rtk_corrections_status_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Epoch status." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
+  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`epoch_status` is valid." },
   { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Status of the dongle." },
   { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Latency of GPS corrections." },
   { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Latency of GLONASS corrections." },
@@ -521,21 +521,21 @@ F["gnss_data.glonass_ephemeris_flags"] = {
 }
 F["gnss_data.gps_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
   { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.galileo_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients." },
   { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Storm flags." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.beidou_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
   { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
   { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Further coefficients." },
@@ -1912,7 +1912,7 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
@@ -2818,7 +2818,7 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
@@ -2850,7 +2850,7 @@ field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
@@ -2860,7 +2860,7 @@ field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
@@ -2880,7 +2880,7 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
@@ -2890,7 +2890,7 @@ field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", tit
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
@@ -2975,13 +2975,13 @@ field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = 
     doc = "Measured acceleration, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Acceleration. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_accel", title = "Scaled accel" }, })
 field({ descriptor = 0x05, name = "sensor.scaled_gyro", role = "data", title = "Scaled gyro",
     doc = "Measured angular rate, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate about each axis. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_gyro", title = "Scaled gyro" }, })
 field({ descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "Scaled mag",
     doc = "Measured magnetic field, temperature compensated.", least = 12,
@@ -3080,7 +3080,7 @@ field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data"
     rows = {
       { kind = "scalar", name = "min_temperature", type = "float", size = 4, units = {"degC", }, doc = "Lowest temperature. Unit: degC." },
       { kind = "scalar", name = "max_temperature", type = "float", size = 4, units = {"degC", }, doc = "Highest temperature. Unit: degC." },
-      { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean temperature. Unit: degC." },
+      { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean of the temperatures inside the device. Unit: degC." },
     } }, { { set = 0x80, name = "sensor.temperature_statistics", title = "Temperature statistics" }, })
 field({ descriptor = 0x16, name = "sensor.raw_pressure", role = "data", title = "Raw pressure",
     doc = "Raw ambient pressure in counts of the sensor, temperature compensated.", least = 4,
@@ -3118,37 +3118,37 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
-      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
-      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Vertical accuracy. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
+      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which parts of the position are valid." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
     always = 3,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which parts of the position are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
       { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
     always = 3,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
@@ -3161,7 +3161,7 @@ field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
       { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
       { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
       { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which dilutions of precision are valid." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time as the receiver knows it.", least = 13,
@@ -3182,7 +3182,7 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which parts of the time are valid." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
@@ -3191,7 +3191,7 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix and what it is based on.", least = 6,
@@ -3200,7 +3200,7 @@ field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Type of the fix. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
       { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which parts of the fix information are valid." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "One satellite that is tracked.", least = 12,
@@ -3209,10 +3209,10 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
-      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Azimuth. Unit: deg. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Elevation. Unit: deg. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
+      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which parts of the satellite info are valid." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
 field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
@@ -3221,7 +3221,7 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
       { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "State of the receiver. Valid if valid_flags.sensor_state is set." },
       { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "State of the antenna. Valid if valid_flags.antenna_state is set." },
       { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which parts of the hardware status are valid." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
@@ -3231,7 +3231,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
     doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
@@ -3241,7 +3241,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
@@ -3251,7 +3251,7 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m. Valid if valid_flags.range_correction is set." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which parts of a differential correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
@@ -3261,7 +3261,7 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
       { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
@@ -3280,7 +3280,7 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
       { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which parts of the SBAS status are valid." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
     doc = "SBAS correction for one satellite.", least = 25,
@@ -3295,7 +3295,7 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which parts of an SBAS correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
@@ -3306,7 +3306,7 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which parts of the detection are valid." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
 field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
     doc = "Heading that the receiver computes from its antennas.", least = 11,
@@ -3316,7 +3316,7 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which parts of the heading are valid." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
@@ -3331,7 +3331,7 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
       { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "Whether the satellite is healthy. Valid if valid_flags.health is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which parts of the satellite status are valid." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
@@ -3355,7 +3355,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if valid_flags.lock_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which parts of the observation are valid." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
@@ -3539,7 +3539,7 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
@@ -3549,7 +3549,7 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
@@ -3560,7 +3560,7 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
     doc = "Estimated position.", least = 26,
@@ -3569,7 +3569,7 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "Estimated velocity.", least = 14,
@@ -3578,44 +3578,44 @@ field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", tit
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
     doc = "Estimated bias of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias", title = "Gyroscope bias" }, })
 field({ descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
     doc = "Estimated bias of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_bias", title = "Accelerometer bias" }, })
 field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
@@ -3624,7 +3624,7 @@ field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role =
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
@@ -3633,7 +3633,7 @@ field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role =
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
     doc = "Standard deviation of the estimated Euler angles.", least = 14,
@@ -3642,42 +3642,42 @@ field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role =
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
 field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
     doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
 field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
     doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
     doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
     doc = "Angular rate without the estimated bias.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
     doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
@@ -3693,21 +3693,21 @@ field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title 
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
 field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
     doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
     always = 2,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
 field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
     doc = "The last heading that updated the filter and where it came from.", least = 12,
@@ -3716,78 +3716,78 @@ field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "da
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
 field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
     doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
     always = 6,
     rows = {
-      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Intensity north. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Intensity east. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Intensity down. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Northward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Eastward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Downward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
     doc = "Estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor", title = "Gyroscope scale factor" }, })
 field({ descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
     doc = "Estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor", title = "Accelerometer scale factor" }, })
 field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
 field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
 field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
     doc = "Estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Bias. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
 field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
     doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
     doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
     doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
     always = 6,
     rows = {
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geopotential altitude. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Density. Unit: kg/m^3. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
     doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
@@ -3795,7 +3795,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     plain = true,
     rows = {
       { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
     doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
@@ -3803,63 +3803,63 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
     plain = true,
     rows = {
       { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
     doc = "Estimated hard iron offset of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
     doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
 field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
     doc = "Standard deviation of the estimated hard iron offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
     doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
 field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
     doc = "Covariance of the magnetometer measurement.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
 field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Residual. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
     doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
 field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
     doc = "Estimated clock error of one GNSS receiver.", least = 11,
@@ -3868,7 +3868,7 @@ field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data",
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.clock_correction", title = "Clock correction" }, })
 field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
     doc = "Standard deviation of the estimated clock error of one GNSS receiver.", least = 11,
@@ -3877,7 +3877,7 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
     doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
@@ -3885,7 +3885,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
@@ -3893,42 +3893,42 @@ field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_u
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
       { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
     doc = "Standard deviation of the estimated position.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
     doc = "Estimated position.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
     doc = "Estimated velocity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "From the reference point to the device. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
 field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
     doc = "How the filter uses the position measurements of one GNSS receiver.", least = 15,
@@ -3969,25 +3969,25 @@ field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", rol
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error", title = "Odometer scale factor error" }, })
 field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
     doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
     doc = "Heading that two GNSS antennas give.", least = 17,
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gnss_dual_antenna_status", title = "GNSS dual antenna status" }, })
 field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
     doc = "Estimated error of a frame that aiding.frame_config defines; it is corrected for.", least = 29,

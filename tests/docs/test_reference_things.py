@@ -396,7 +396,8 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
         assert bullets(section)[:3] == listed, e.id
         title = next(x.title for x in of.protocol.manuals if x.id == e.manual)
         before = words(page[: page.index(f'"erratum.{e.id}"')])
-        assert re.findall(r"^## (.*)$", before, re.M)[-1] == title
+        wanted = f"Editorial: {title}" if e.severity == "editorial" else title
+        assert re.findall(r"^## (.*)$", before, re.M)[-1] == wanted
         for c in e.claims:
             if c.kind == "length":
                 f = of.field(c.subject)

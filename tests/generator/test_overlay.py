@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
+from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
@@ -29,6 +30,8 @@ def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
     assert "Supported by 3DM-CV7-GNSS/INS." in said
     assert "Changes sensor.ambient_light and system_data (0xA0)." in said
     assert after.changed_by(light) == (lamp,)
+    state = lamp.parameters[1]
+    assert lamp.title == "Lamp" and isinstance(state.element, m.Enum) and state.description == state.element.description
     bend = light.parameters[1]
     assert (bend.frame, bend.at_rest, bend.positive) == ("mast", (0, 0, None), "away from the mast")
     assert [c.values for w in after.protocol.frames for c in w.conversions if w.symbol == "mast"] == [("-x", "-y", "z")]

@@ -603,9 +603,9 @@ class EcefPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
-    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element
+    has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
@@ -876,9 +876,9 @@ class EcefVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
-    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element
+    has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
@@ -961,9 +961,9 @@ class NedVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid
-    flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of `valid_flags`, down:
-    `AxisFlags.Z` of `valid_flags`.
+    """Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each
+    element has its own valid flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of
+    `valid_flags`, down: `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Ned3f
     """Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Range:
@@ -1130,8 +1130,8 @@ class TrueHeading(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     heading: float
-    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-    clockwise seen from above.
+    """Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. Positive: clockwise seen from above.
     """
     uncertainty: float
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
@@ -1207,9 +1207,9 @@ class MagneticField(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
-    flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
+    its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.

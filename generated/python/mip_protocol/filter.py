@@ -3554,7 +3554,7 @@ class ExternalGnssUpdate(Command[None]):
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    """Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned."""
     position_uncertainty: types.Ned3f
     """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. Range:
     at least 0.

@@ -411,7 +411,7 @@ class LlhPosition(Data):
     is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, latitude: float, longitude: float, ellipsoid_height: float, valid_flags: ValidFlags
@@ -485,7 +485,7 @@ class NedVelocity(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -554,7 +554,7 @@ class AttitudeQuaternion(Data):
     x 0, y 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -621,7 +621,7 @@ class AttitudeDcm(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
@@ -688,19 +688,22 @@ class EulerAngles(Data):
     )
 
     roll: float
-    """Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
-    level: 0. Positive: right side down. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. At rest and level: 0. Positive: right side down. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     pitch: float
-    """Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
-    level: 0. Positive: nose up. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
+    1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     yaw: float
-    """Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-    clockwise seen from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -753,11 +756,11 @@ class GyroBias(Data):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Bias that the filter subtracts. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -804,11 +807,11 @@ class AccelBias(Data):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Bias that the filter subtracts. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -871,7 +874,7 @@ class LlhPositionUncertainty(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -938,7 +941,7 @@ class NedVelocityUncertainty(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -1010,7 +1013,7 @@ class EulerAnglesUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -1065,7 +1068,7 @@ class GyroBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1118,7 +1121,7 @@ class AccelBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1171,11 +1174,11 @@ class LinearAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0,
-    y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+    and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -1229,7 +1232,7 @@ class CompAngularRate(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gyro: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gyro = codec.vector(gyro, types.Vector3f)
@@ -1278,7 +1281,7 @@ class Wgs84GravityMagnitude(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gravity_magnitude: float, valid_flags: ValidFlags) -> None:
         self.gravity_magnitude = gravity_magnitude
@@ -1405,7 +1408,7 @@ class Timestamp(Data):
     """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: ValidFlags) -> None:
         self.tow = tow
@@ -1459,7 +1462,7 @@ class QuaternionAttitudeUncertainty(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -1510,12 +1513,12 @@ class GravityVector(Data):
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
-    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
-    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The sign, which no source
-    states. Gravity points down.
+    """Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
+    level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The
+    sign, which no source states.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gravity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gravity = codec.vector(gravity, types.Vector3f)
@@ -1580,7 +1583,7 @@ class HeadingUpdateState(Data):
     - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -1666,21 +1669,27 @@ class MagneticModel(Data):
     )
 
     intensity_north: float
-    """Intensity north. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Northward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     intensity_east: float
-    """Intensity east. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Eastward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     intensity_down: float
-    """Intensity down. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Downward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     inclination: float
-    """Inclination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Angle of the field below the horizontal plane. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     declination: float
-    """Declination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Angle from true north to magnetic north. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -1755,7 +1764,7 @@ class GyroScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1809,7 +1818,7 @@ class AccelScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1867,7 +1876,7 @@ class GyroScaleFactorUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1926,7 +1935,7 @@ class AccelScaleFactorUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1980,7 +1989,7 @@ class MagBias(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -2028,7 +2037,7 @@ class MagBiasUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2085,7 +2094,7 @@ class CompAccel(Data):
     -9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -2161,7 +2170,9 @@ class StandardAtmosphere(Data):
     geometric_altitude: float
     """Altitude used in the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     geopotential_altitude: float
-    """Geopotential altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     standard_temperature: float
     """Temperature. Unit: degC. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     standard_pressure: float
@@ -2169,7 +2180,7 @@ class StandardAtmosphere(Data):
     standard_density: float
     """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -2248,7 +2259,7 @@ class PressureAltitude(Data):
     """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
         self.pressure_altitude = pressure_altitude
@@ -2295,7 +2306,7 @@ class DensityAltitude(Data):
     density_altitude: float
     """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, density_altitude: float, valid_flags: ValidFlags) -> None:
         self.density_altitude = density_altitude
@@ -2348,7 +2359,7 @@ class MagOffset(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, hard_iron: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
@@ -2401,7 +2412,7 @@ class MagMatrix(Data):
     Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, soft_iron: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
@@ -2451,7 +2462,7 @@ class MagOffsetUncertainty(Data):
     0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, hard_iron_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2509,7 +2520,7 @@ class MagMatrixUncertainty(Data):
     1. Frame: sensor. Range: at least 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, soft_iron_uncertainty: types.Matrix3f | codec.Rows, valid_flags: ValidFlags
@@ -2564,7 +2575,7 @@ class MagCovarianceMatrix(Data):
     gauss^2, and the frame.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.covariance = codec.vector(covariance, types.Matrix3f)
@@ -2615,7 +2626,7 @@ class MagResidualVector(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.residual = codec.vector(residual, types.Vector3f)
@@ -2669,7 +2680,7 @@ class AntennaOffsetCorrection(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
@@ -2722,7 +2733,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, offset_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2781,7 +2792,7 @@ class ClockCorrection(Data):
     bias_drift: float
     """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, receiver_id: int, bias: float, bias_drift: float, valid_flags: ValidFlags
@@ -2849,7 +2860,7 @@ class ClockCorrectionUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -2921,7 +2932,7 @@ class MultiAntennaOffsetCorrection(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, receiver_id: int, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2983,7 +2994,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -3043,7 +3054,7 @@ class EcefPositionUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, position_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3096,7 +3107,7 @@ class EcefVelocityUncertainty(Data):
     Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, velocity_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3147,11 +3158,11 @@ class EcefPosition(Data):
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Position of the reference point. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.position = codec.vector(position, types.Vector3d)
@@ -3201,11 +3212,11 @@ class EcefVelocity(Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
-    if `ValidFlags.VALID` of `valid_flags` is set.
+    """Velocity of the reference point. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and
+    level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, velocity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.velocity = codec.vector(velocity, types.Vector3f)
@@ -3253,11 +3264,11 @@ class NedRelativePosition(Data):
     _VECTORS = {"relative_position": (types.Ned3d,)}
 
     relative_position: types.Ned3d
-    """Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """From the reference point to the device. Elements: north, east, down. Unit: m. Frame: ned.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, relative_position: types.Ned3d | codec.Numbers, valid_flags: ValidFlags
@@ -3565,7 +3576,7 @@ class OdometerScaleFactorError(Data):
     scale_factor_error: float
     """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, scale_factor_error: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error = scale_factor_error
@@ -3614,7 +3625,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, scale_factor_error_uncertainty: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
@@ -3681,8 +3692,8 @@ class GnssDualAntennaStatus(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading: float
-    """Heading. Unit: rad. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
+    from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
     """Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
@@ -3693,7 +3704,7 @@ class GnssDualAntennaStatus(Data):
     status_flags: DualAntennaStatusFlags
     """Inputs available to the solution."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,

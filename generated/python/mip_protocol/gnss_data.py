@@ -38,9 +38,9 @@ class LlhPositionFlags(IntFlag):
     MSL_HEIGHT = 1 << 2
     """Height above mean sea level. Bit 2."""
     HORIZONTAL_ACCURACY = 1 << 3
-    """Horizontal accuracy. Bit 3."""
+    """`horizontal_accuracy` is valid. Bit 3."""
     VERTICAL_ACCURACY = 1 << 4
-    """Vertical accuracy. Bit 4."""
+    """`vertical_accuracy` is valid. Bit 4."""
     FLAGS = 0x1F
     """All of them. Bits 0 to 4. Overlaps other bits."""
 
@@ -50,7 +50,7 @@ class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
-    """Position. Bit 0."""
+    """`position` is valid. Bit 0."""
     POSITION_ACCURACY = 1 << 1
     """Accuracy of the position. Bit 1."""
     FLAGS = 0x3
@@ -68,7 +68,7 @@ class NedVelocityFlags(IntFlag):
     GROUND_SPEED = 1 << 2
     """Speed over ground. Bit 2."""
     HEADING = 1 << 3
-    """Heading. Bit 3."""
+    """`heading` is valid. Bit 3."""
     SPEED_ACCURACY = 1 << 4
     """Accuracy of the speed. Bit 4."""
     HEADING_ACCURACY = 1 << 5
@@ -82,7 +82,7 @@ class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity. Bit 0."""
+    """`velocity` is valid. Bit 0."""
     VELOCITY_ACCURACY = 1 << 1
     """Accuracy of the velocity. Bit 1."""
     FLAGS = 0x3
@@ -130,7 +130,7 @@ class GpsTimeFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     FLAGS = 0x3
     """All of them. Bits 0 to 1. Overlaps other bits."""
 
@@ -140,9 +140,9 @@ class ClockInfoFlags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias. Bit 0."""
+    """`bias` is valid. Bit 0."""
     DRIFT = 1 << 1
-    """Drift. Bit 1."""
+    """`drift` is valid. Bit 1."""
     ACCURACY_ESTIMATE = 1 << 2
     """Accuracy. Bit 2."""
     FLAGS = 0x7
@@ -168,7 +168,7 @@ class FixInfoFlags(IntFlag):
     NUM_SV = 1 << 1
     """Number of satellites. Bit 1."""
     FIX_FLAGS = 1 << 2
-    """Fix flags. Bit 2."""
+    """`fix_flags` is valid. Bit 2."""
     FLAGS = 0x7
     """All of them. Bits 0 to 2. Overlaps other bits."""
 
@@ -188,15 +188,15 @@ class SvInfoFlags(IntFlag):
     """Which parts of the satellite info are valid."""
 
     CHANNEL = 1 << 0
-    """Channel. Bit 0."""
+    """`channel` is valid. Bit 0."""
     SATELLITE_ID = 1 << 1
     """Satellite. Bit 1."""
     CARRIER_NOISE_RATIO = 1 << 2
     """Carrier to noise density ratio. Bit 2."""
     AZIMUTH = 1 << 3
-    """Azimuth. Bit 3."""
+    """`azimuth` is valid. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation. Bit 4."""
+    """`elevation` is valid. Bit 4."""
     SV_FLAGS = 1 << 5
     """State of the satellite. Bit 5."""
     FLAGS = 0x3F
@@ -259,7 +259,7 @@ class DgpsInfoFlags(IntFlag):
     """Which parts of the state of the corrections are valid."""
 
     AGE = 1 << 0
-    """Age. Bit 0."""
+    """`age` is valid. Bit 0."""
     BASE_STATION_ID = 1 << 1
     """Number of the base station. Bit 1."""
     BASE_STATION_STATUS = 1 << 2
@@ -277,7 +277,7 @@ class DgpsChannelFlags(IntFlag):
     SATELLITE_ID = 1 << 0
     """Satellite. Bit 0."""
     AGE = 1 << 1
-    """Age. Bit 1."""
+    """`age` is valid. Bit 1."""
     RANGE_CORRECTION = 1 << 2
     """Correction of the range. Bit 2."""
     RANGE_RATE_CORRECTION = 1 << 3
@@ -291,9 +291,9 @@ class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias. Bit 0."""
+    """`bias` is valid. Bit 0."""
     DRIFT = 1 << 1
-    """Drift. Bit 1."""
+    """`drift` is valid. Bit 1."""
     BIAS_ACCURACY = 1 << 2
     """Accuracy of the bias. Bit 2."""
     DRIFT_ACCURACY = 1 << 3
@@ -307,7 +307,7 @@ class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
     LEAP_SECONDS = 1 << 1
-    """Leap seconds. Bit 1."""
+    """`leap_seconds` is valid. Bit 1."""
 
 
 class SbasSystem(codec.OpenEnum):
@@ -346,7 +346,7 @@ class SbasInfoFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     SBAS_SYSTEM = 1 << 2
     """System. Bit 2."""
     SBAS_ID = 1 << 3
@@ -444,7 +444,7 @@ class HeadingFlags(IntFlag):
     """Which parts of the heading are valid."""
 
     HEADING = 1 << 0
-    """Heading. Bit 0."""
+    """`heading` is valid. Bit 0."""
     UNCERTAINTY = 1 << 1
     """Uncertainty of the heading. Bit 1."""
     FIX_TYPE = 1 << 2
@@ -460,17 +460,17 @@ class SatelliteStatusFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     GNSS_ID = 1 << 2
     """Constellation. Bit 2."""
     SATELLITE_ID = 1 << 3
     """Satellite. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation. Bit 4."""
+    """`elevation` is valid. Bit 4."""
     AZIMUTH = 1 << 5
-    """Azimuth. Bit 5."""
+    """`azimuth` is valid. Bit 5."""
     HEALTH = 1 << 6
-    """Health. Bit 6."""
+    """`health` is valid. Bit 6."""
     FLAGS = 0x7F
     """All of them. Bits 0 to 6. Overlaps other bits."""
 
@@ -499,11 +499,11 @@ class RawFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     RECEIVER_ID = 1 << 2
     """Receiver or reference station. Bit 2."""
     TRACKING_CHANNEL = 1 << 3
-    """Tracking channel. Bit 3."""
+    """`tracking_channel` is valid. Bit 3."""
     GNSS_ID = 1 << 4
     """Constellation. Bit 4."""
     SATELLITE_ID = 1 << 5
@@ -511,13 +511,13 @@ class RawFlags(IntFlag):
     SIGNAL_ID = 1 << 6
     """Signal. Bit 6."""
     SIGNAL_STRENGTH = 1 << 7
-    """Signal strength. Bit 7."""
+    """`signal_strength` is valid. Bit 7."""
     QUALITY = 1 << 8
     """Signal quality. Bit 8."""
     PSEUDORANGE = 1 << 9
-    """Pseudorange. Bit 9."""
+    """`pseudorange` is valid. Bit 9."""
     CARRIER_PHASE = 1 << 10
-    """Carrier phase. Bit 10."""
+    """`carrier_phase` is valid. Bit 10."""
     DOPPLER = 1 << 11
     """Doppler shift. Bit 11."""
     RANGE_UNCERTAINTY = 1 << 12
@@ -527,7 +527,7 @@ class RawFlags(IntFlag):
     DOPPLER_UNCERTAINTY = 1 << 14
     """Uncertainty of the Doppler shift. Bit 14."""
     LOCK_TIME = 1 << 15
-    """Lock time. Bit 15."""
+    """`lock_time` is valid. Bit 15."""
     FLAGS = 0xFFFF
     """All of them. Bits 0 to 15. Overlaps other bits."""
 
@@ -563,7 +563,7 @@ class BaseStationInfoFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ECEF_POSITION = 1 << 2
     """Position. Bit 2."""
     HEIGHT = 1 << 3
@@ -571,7 +571,7 @@ class BaseStationInfoFlags(IntFlag):
     STATION_ID = 1 << 4
     """Station. Bit 4."""
     INDICATORS = 1 << 5
-    """Indicators. Bit 5."""
+    """`indicators` is valid. Bit 5."""
     FLAGS = 0x3F
     """All of them. Bits 0 to 5. Overlaps other bits."""
 
@@ -608,9 +608,9 @@ class RtkCorrectionsStatusFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     EPOCH_STATUS = 1 << 2
-    """Epoch status. Bit 2."""
+    """`epoch_status` is valid. Bit 2."""
     DONGLE_STATUS = 1 << 3
     """Status of the dongle. Bit 3."""
     GPS_LATENCY = 1 << 4
@@ -665,7 +665,7 @@ class GpsIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients alpha. Bit 2."""
     BETA = 1 << 3
@@ -681,7 +681,7 @@ class GalileoIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients. Bit 2."""
     DISTURBANCE_FLAGS = 1 << 3
@@ -697,7 +697,7 @@ class BeidouIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients alpha. Bit 2."""
     BETA = 1 << 3
@@ -785,15 +785,15 @@ class LlhPosition(Shared, Data):
     is set.
     """
     horizontal_accuracy: float
-    """Horizontal accuracy. Unit: m. Range: at least 0. Valid if
+    """Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if
     `LlhPositionFlags.HORIZONTAL_ACCURACY` of `valid_flags` is set.
     """
     vertical_accuracy: float
-    """Vertical accuracy. Unit: m. Range: at least 0. Valid if `LlhPositionFlags.VERTICAL_ACCURACY`
-    of `valid_flags` is set.
+    """Estimated error of the heights. Unit: m. Range: at least 0. Valid if
+    `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: LlhPositionFlags
-    """Which values are valid."""
+    """Which parts of the position are valid."""
 
     def __init__(
         self,
@@ -878,15 +878,15 @@ class EcefPosition(Shared, Data):
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
-    `valid_flags` is set.
+    """Position of the antenna. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `EcefPositionFlags.POSITION` of `valid_flags` is set.
     """
     position_accuracy: float
     """Accuracy of the position. Unit: m. Range: at least 0. Valid if
     `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
-    """Which values are valid."""
+    """Which parts of the position are valid."""
 
     def __init__(
         self,
@@ -976,8 +976,8 @@ class NedVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Ned3f,)}
 
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0,
-    east 0, down 0. Valid if `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and
+    level: north 0, east 0, down 0. Valid if `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     speed: float
     """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
@@ -998,7 +998,7 @@ class NedVelocity(Shared, Data):
     `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: NedVelocityFlags
-    """Which values are valid."""
+    """Which parts of the velocity are valid."""
 
     def __init__(
         self,
@@ -1078,15 +1078,15 @@ class EcefVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
-    if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """Velocity of the antenna. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y
+    0, z 0. Valid if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     velocity_accuracy: float
     """Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
     `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
-    """Which values are valid."""
+    """Which parts of the velocity are valid."""
 
     def __init__(
         self,
@@ -1178,7 +1178,7 @@ class Dop(Shared, Data):
     set.
     """
     valid_flags: DopFlags
-    """Which values are valid."""
+    """Which dilutions of precision are valid."""
 
     def __init__(
         self,
@@ -1368,7 +1368,7 @@ class GpsTime(Shared, Data):
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
-    """Which values are valid."""
+    """Which parts of the time are valid."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
         self.tow = tow
@@ -1429,7 +1429,7 @@ class ClockInfo(Shared, Data):
     of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
-    """Which values are valid."""
+    """Which clock parameters are valid."""
 
     def __init__(
         self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
@@ -1495,7 +1495,7 @@ class FixInfo(Shared, Data):
     fix_flags: FixFlags
     """What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
-    """Which values are valid."""
+    """Which parts of the fix information are valid."""
 
     def __init__(
         self,
@@ -1595,13 +1595,17 @@ class SvInfo(Shared, Data):
     `valid_flags` is set.
     """
     azimuth: int
-    """Azimuth. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of `valid_flags` is set."""
+    """Direction of the satellite, from north. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of
+    `valid_flags` is set.
+    """
     elevation: int
-    """Elevation. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of `valid_flags` is set."""
+    """Angle of the satellite above the horizon. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of
+    `valid_flags` is set.
+    """
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
     valid_flags: SvInfoFlags
-    """Which values are valid."""
+    """Which parts of the satellite info are valid."""
 
     def __init__(
         self,
@@ -1691,7 +1695,7 @@ class HardwareStatus(Shared, Data):
     """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
     """
     valid_flags: HardwareStatusFlags
-    """Which values are valid."""
+    """Which parts of the hardware status are valid."""
 
     def __init__(
         self,
@@ -1784,7 +1788,7 @@ class DgpsInfo(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsInfoFlags
-    """Which values are valid."""
+    """Which parts of the state of the corrections are valid."""
 
     def __init__(
         self,
@@ -1883,7 +1887,7 @@ class DgpsInfoSatellite(Shared, Data):
     `DgpsChannel`.
     """
     valid_flags: DgpsInfoFlags
-    """Which values are valid."""
+    """Which parts of the state of the corrections are valid."""
 
     def __init__(
         self,
@@ -1980,7 +1984,7 @@ class DgpsChannel(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsChannelFlags
-    """Which values are valid."""
+    """Which parts of a differential correction are valid."""
 
     def __init__(
         self,
@@ -2078,7 +2082,7 @@ class ClockInfo2(Shared, Data):
     `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
-    """Which values are valid."""
+    """Which clock parameters are valid."""
 
     def __init__(
         self,
@@ -2232,7 +2236,7 @@ class SbasInfo(Shared, Data):
     sbas_status: SbasStatus
     """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
-    """Which values are valid."""
+    """Which parts of the SBAS status are valid."""
 
     def __init__(
         self,
@@ -2377,7 +2381,7 @@ class SbasCorrection(Shared, Data):
     of `valid_flags` is set.
     """
     valid_flags: SbasCorrectionFlags
-    """Which values are valid."""
+    """Which parts of an SBAS correction are valid."""
 
     def __init__(
         self,
@@ -2508,7 +2512,7 @@ class RfErrorDetection(Shared, Data):
     reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
-    """Which values are valid."""
+    """Which parts of the detection are valid."""
 
     def __init__(
         self,
@@ -2594,7 +2598,7 @@ class Heading(Shared, Data):
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
     valid_flags: HeadingFlags
-    """Which values are valid."""
+    """Which parts of the heading are valid."""
 
     def __init__(
         self,
@@ -2727,7 +2731,7 @@ class SatelliteStatus(Shared, Data):
     set.
     """
     valid_flags: SatelliteStatusFlags
-    """Which values are valid."""
+    """Which parts of the satellite status are valid."""
 
     def __init__(
         self,
@@ -2959,7 +2963,7 @@ class Raw(Shared, Data):
     `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
-    """Which values are valid."""
+    """Which parts of the observation are valid."""
 
     def __init__(
         self,
@@ -5170,7 +5174,7 @@ class GpsIonoCorrection(Shared, Data):
     Uncertain: The units.
     """
     valid_flags: GpsIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,
@@ -5258,7 +5262,7 @@ class GalileoIonoCorrection(Shared, Data):
     bits count from 0 or from 1, and which region each represents.
     """
     valid_flags: GalileoIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,
@@ -5356,7 +5360,7 @@ class BeidouIonoCorrection(Shared, Data):
     of `valid_flags` is set. Uncertain: The units.
     """
     valid_flags: BeidouIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,

@@ -219,7 +219,8 @@ class ScaledAccel(Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
+    """Specific force: acceleration minus gravity. Elements: x, y, z. Unit: g. Frame: vehicle. At
+    rest and level: x 0, y 0, z -1.
     """
 
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
@@ -276,8 +277,8 @@ class ScaledGyro(Data):
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
-    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
-    0. Positive: right side down, nose up, clockwise seen from above.
+    """Angular rate about each axis. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and
+    level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
     """
 
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
@@ -1084,7 +1085,7 @@ class TemperatureStatistics(Data):
     max_temperature: float
     """Highest temperature. Unit: degC."""
     mean_temperature: float
-    """Mean temperature. Unit: degC."""
+    """Mean of the temperatures inside the device. Unit: degC."""
 
     def __init__(
         self, min_temperature: float, max_temperature: float, mean_temperature: float

@@ -131,7 +131,7 @@ class Families:
         occurrences = places.of(node)
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
-            title=node["title"].value, description=node["description"].value,
+            title=_title(node), description=node["description"].value,
             parameters=record.parameters,
             min_size=record.min_size, max_size=record.max_size,
             sources=places.cited(node, occurrences),
@@ -327,11 +327,16 @@ class Families:
                 continue
             named.append(
                 m.Named(
-                    entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
+                    entry[roles[0]].value, roles[0], entry["name"].value, _title(entry),
                     sources(entry, self.types.vocabulary, self.problems), entry.position,
                 )
             )  # fmt: skip
         return tuple(sorted(named, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
+
+
+def _title(node: Node) -> str:
+    """What it is called in headings: its name in words, if nothing else."""
+    return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
 
 
 def _first(node: Node) -> int:
@@ -353,7 +358,7 @@ class _Places:
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
         """The sets of a field, with what it has of its own in each."""
-        title, cited = node["title"].value, sources(node, self.types.vocabulary, self.problems)
+        title, cited = _title(node), sources(node, self.types.vocabulary, self.problems)
         own = node.get("in")
         if not self.several:
             for key in ("in", "only"):

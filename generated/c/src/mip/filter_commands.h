@@ -652,7 +652,7 @@ static inline mip_error mip_send_filter_external_gnss_update(
  * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
  * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
  *   Frame: ned. Range: at least 0.
  * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:

@@ -448,7 +448,7 @@ struct mip_filter_data_llh_position {
      * in valid_flags is set.
      */
     double ellipsoid_height;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -539,7 +539,7 @@ struct mip_filter_data_ned_velocity {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -630,7 +630,7 @@ struct mip_filter_data_attitude_quaternion {
      * x 0, y 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -722,7 +722,7 @@ struct mip_filter_data_attitude_dcm {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float dcm[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -811,23 +811,24 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  */
 struct mip_filter_data_euler_angles {
     /**
-     * Roll. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
-     * level: 0. Positive: right side down. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float roll;
     /**
-     * Pitch. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
-     * level: 0. Positive: nose up. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
+     * 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pitch;
     /**
-     * Yaw. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
-     * clockwise seen from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * 3.141592653589793. Positive: clockwise seen from above. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -902,11 +903,11 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
  */
 struct mip_filter_data_gyro_bias {
     /**
-     * Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+     * Bias that the filter subtracts. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -978,11 +979,11 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
  */
 struct mip_filter_data_accel_bias {
     /**
-     * Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+     * Bias that the filter subtracts. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1068,7 +1069,7 @@ struct mip_filter_data_llh_position_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1154,7 +1155,7 @@ struct mip_filter_data_ned_velocity_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1245,7 +1246,7 @@ struct mip_filter_data_euler_angles_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1321,7 +1322,7 @@ struct mip_filter_data_gyro_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1395,7 +1396,7 @@ struct mip_filter_data_accel_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1468,11 +1469,11 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_linear_accel {
     /**
-     * Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0,
-     * y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+     * and level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1551,7 +1552,7 @@ struct mip_filter_data_comp_angular_rate {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gyro[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1627,7 +1628,7 @@ struct mip_filter_data_wgs84_gravity_magnitude {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1800,7 +1801,7 @@ struct mip_filter_data_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1875,7 +1876,7 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1951,12 +1952,12 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
  */
 struct mip_filter_data_gravity_vector {
     /**
-     * Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
-     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The sign, which
-     * no source states. Gravity points down.
+     * Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Uncertain: The sign, which no source states.
      */
     float gravity[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2041,7 +2042,7 @@ struct mip_filter_data_heading_update_state {
      * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL.
      */
     mip_filter_data_heading_source_flags source;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2112,25 +2113,31 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
  */
 struct mip_filter_data_magnetic_model {
     /**
-     * Intensity north. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Northward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_north;
     /**
-     * Intensity east. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Eastward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_east;
     /**
-     * Intensity down. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Downward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_down;
-    /** Inclination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Angle of the field below the horizontal plane. Unit: rad. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float inclination;
-    /** Declination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Angle from true north to magnetic north. Unit: rad. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float declination;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2209,7 +2216,7 @@ struct mip_filter_data_gyro_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2284,7 +2291,7 @@ struct mip_filter_data_accel_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2358,7 +2365,7 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2435,7 +2442,7 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2513,7 +2520,7 @@ struct mip_filter_data_mag_bias {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2586,7 +2593,7 @@ struct mip_filter_data_mag_bias_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2664,7 +2671,7 @@ struct mip_filter_data_comp_accel {
      * -9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2740,8 +2747,8 @@ struct mip_filter_data_standard_atmosphere {
      */
     float geometric_altitude;
     /**
-     * Geopotential altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float geopotential_altitude;
     /**
@@ -2752,7 +2759,7 @@ struct mip_filter_data_standard_atmosphere {
     float standard_pressure;
     /** Density. Unit: kg/m^3. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float standard_density;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2832,7 +2839,7 @@ struct mip_filter_data_pressure_altitude {
      * valid_flags is set.
      */
     float pressure_altitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2899,7 +2906,7 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
 struct mip_filter_data_density_altitude {
     /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float density_altitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2974,7 +2981,7 @@ struct mip_filter_data_mag_offset {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3053,7 +3060,7 @@ struct mip_filter_data_mag_matrix {
      * Unit: 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float soft_iron[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3128,7 +3135,7 @@ struct mip_filter_data_mag_offset_uncertainty {
      * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3204,7 +3211,7 @@ struct mip_filter_data_mag_matrix_uncertainty {
      * valid_flags is set.
      */
     float soft_iron_uncertainty[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3279,7 +3286,7 @@ struct mip_filter_data_mag_covariance_matrix {
      * is likely gauss^2, and the frame.
      */
     float covariance[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3353,7 +3360,7 @@ struct mip_filter_data_mag_residual_vector {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float residual[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3430,7 +3437,7 @@ struct mip_filter_data_antenna_offset_correction {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3506,7 +3513,7 @@ struct mip_filter_data_antenna_offset_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3588,7 +3595,7 @@ struct mip_filter_data_clock_correction {
      * set.
      */
     float bias_drift;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3668,7 +3675,7 @@ struct mip_filter_data_clock_correction_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_drift_uncertainty;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3748,7 +3755,7 @@ struct mip_filter_data_multi_antenna_offset_correction {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3830,7 +3837,7 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3909,7 +3916,7 @@ struct mip_filter_data_ecef_position_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float position_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3983,7 +3990,7 @@ struct mip_filter_data_ecef_velocity_uncertainty {
      * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4055,11 +4062,11 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
  */
 struct mip_filter_data_ecef_position {
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Position of the reference point. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double position[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4134,11 +4141,11 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
  */
 struct mip_filter_data_ecef_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid
-     * if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Velocity of the reference point. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and
+     * level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4210,11 +4217,11 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  */
 struct mip_filter_data_ned_relative_position {
     /**
-     * Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * From the reference point to the device. Elements: north, east, down. Unit: m. Frame: ned.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double relative_position[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4597,7 +4604,7 @@ struct mip_filter_data_odometer_scale_factor_error {
      * Relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4668,7 +4675,7 @@ struct mip_filter_data_odometer_scale_factor_uncertainty {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error_uncertainty;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4745,8 +4752,8 @@ struct mip_filter_data_gnss_dual_antenna_status {
      */
     float tow;
     /**
-     * Heading. Unit: rad. Positive: clockwise seen from above. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
+     * from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
@@ -4758,7 +4765,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
     uint8_t fix_type;
     /** Inputs available to the solution. */
     mip_filter_data_dual_antenna_status_flags status_flags;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 

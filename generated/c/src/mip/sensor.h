@@ -277,7 +277,8 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  */
 struct mip_sensor_scaled_accel {
     /**
-     * Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
+     * Specific force: acceleration minus gravity. Elements: x, y, z. Unit: g. Frame: vehicle. At
+     * rest and level: x 0, y 0, z -1.
      */
     float scaled_accel[3];
 };
@@ -357,8 +358,8 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  */
 struct mip_sensor_scaled_gyro {
     /**
-     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
-     * 0. Positive: right side down, nose up, clockwise seen from above.
+     * Angular rate about each axis. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
      */
     float scaled_gyro[3];
 };
@@ -1504,7 +1505,7 @@ struct mip_sensor_temperature_statistics {
     float min_temperature;
     /** Highest temperature. Unit: degC. */
     float max_temperature;
-    /** Mean temperature. Unit: degC. */
+    /** Mean of the temperatures inside the device. Unit: degC. */
     float mean_temperature;
 };
 

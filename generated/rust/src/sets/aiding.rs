@@ -306,7 +306,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Position.
+        /// Position of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
@@ -501,7 +501,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
@@ -565,7 +565,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid flag.
         /// north: [`valid_flags.x`](AxisFlags::x), east: [`valid_flags.y`](AxisFlags::y), down:
@@ -694,7 +694,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Heading.
+        /// Heading relative to true north.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
@@ -753,7 +753,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Magnetic field.
+        /// Calibrated magnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:

@@ -1005,7 +1005,7 @@ record! {
         ///
         /// Unit: m. Frame: llh.
         pub height: f64,
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned.
         pub velocity: types::Ned3f,

@@ -415,7 +415,7 @@ record! {
         ///
         /// Unit: m. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub ellipsoid_height: f64,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -465,7 +465,7 @@ record! {
         /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -523,7 +523,7 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -584,7 +584,7 @@ record! {
         /// level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub dcm: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -641,23 +641,23 @@ record! {
     /// Angles (0x82, 0x05).
     #[derive(Copy, Default)]
     pub struct EulerAngles {
-        /// Roll.
+        /// Rotation about the x axis of the vehicle.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
         /// level: 0. Positive: right side down. Valid if [`valid_flags.valid`](ValidFlags::valid)
         /// is set.
         pub roll: f32,
-        /// Pitch.
+        /// Rotation about the y axis.
         ///
         /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
         /// level: 0. Positive: nose up. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pitch: f32,
-        /// Yaw.
+        /// Rotation about the z axis: the heading.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -687,12 +687,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
     pub struct GyroBias {
-        /// Bias.
+        /// Bias that the filter subtracts.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -717,12 +717,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
     pub struct AccelBias {
-        /// Bias.
+        /// Bias that the filter subtracts.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -762,7 +762,7 @@ record! {
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -802,7 +802,7 @@ record! {
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -848,7 +848,7 @@ record! {
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -879,7 +879,7 @@ record! {
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -907,7 +907,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -938,12 +938,12 @@ record! {
     /// (0x82, 0x0D).
     #[derive(Copy, Default)]
     pub struct LinearAccel {
-        /// Linear acceleration.
+        /// Zero while the velocity is constant.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid
         /// if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -980,7 +980,7 @@ record! {
         /// Positive: right side down, nose up, clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gyro: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1009,7 +1009,7 @@ record! {
         /// Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gravity_magnitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1145,7 +1145,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub week_number: u16,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1179,7 +1179,7 @@ record! {
         /// Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1209,13 +1209,13 @@ record! {
     /// (0x82, 0x13).
     #[derive(Copy, Default)]
     pub struct GravityVector {
-        /// Gravity.
+        /// Gravity, which points down.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
-        /// source states. Gravity points down.
+        /// source states.
         pub gravity: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1252,7 +1252,7 @@ record! {
         /// On the [3DM-GX5-15](crate::devices::GX5_15): only
         /// [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1275,27 +1275,27 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
     #[derive(Copy, Default)]
     pub struct MagneticModel {
-        /// Intensity north.
+        /// Northward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_north: f32,
-        /// Intensity east.
+        /// Eastward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_east: f32,
-        /// Intensity down.
+        /// Downward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_down: f32,
-        /// Inclination.
+        /// Angle of the field below the horizontal plane.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub inclination: f32,
-        /// Declination.
+        /// Angle from true north to magnetic north.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub declination: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1323,7 +1323,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1351,7 +1351,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1377,7 +1377,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1403,7 +1403,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1430,7 +1430,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1455,7 +1455,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1490,7 +1490,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1516,7 +1516,7 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geometric_altitude: f32,
-        /// Geopotential altitude.
+        /// Geometric altitude corrected for the decrease of gravity with height.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geopotential_altitude: f32,
@@ -1532,7 +1532,7 @@ record! {
         ///
         /// Unit: kg/m^3. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub standard_density: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1561,7 +1561,7 @@ record! {
         ///
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pressure_altitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1587,7 +1587,7 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub density_altitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1621,7 +1621,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1655,7 +1655,7 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1683,7 +1683,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1711,7 +1711,7 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Range: at
         /// least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron_uncertainty: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1738,7 +1738,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The unit, which is likely
         /// gauss^2, and the frame.
         pub covariance: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1764,7 +1764,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub residual: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1796,7 +1796,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1822,7 +1822,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1855,7 +1855,7 @@ record! {
         ///
         /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_drift: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1887,7 +1887,7 @@ record! {
         ///
         /// Unit: s/s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_drift_uncertainty: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1920,7 +1920,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1949,7 +1949,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1976,7 +1976,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2005,7 +2005,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2032,12 +2032,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
     pub struct EcefPosition {
-        /// Position.
+        /// Position of the reference point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position: types::Vector3d,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2069,12 +2069,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
-        /// Velocity.
+        /// Velocity of the reference point.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2099,12 +2099,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
     pub struct NedRelativePosition {
-        /// Relative position.
+        /// From the reference point to the device.
         ///
         /// Elements: north, east, down. Unit: m. Frame: ned. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub relative_position: types::Ned3d,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2271,7 +2271,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_error: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2295,7 +2295,7 @@ record! {
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_error_uncertainty: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2322,7 +2322,7 @@ record! {
         ///
         /// Unit: s. Range: 0 to 604800. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub tow: f32,
-        /// Heading.
+        /// Heading that follows from the baseline of the antennas.
         ///
         /// Unit: rad. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -2335,7 +2335,7 @@ record! {
         pub fix_type: DualAntennaFixType,
         /// Inputs available to the solution.
         pub status_flags: DualAntennaStatusFlags,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }

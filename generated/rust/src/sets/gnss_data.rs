@@ -55,10 +55,10 @@ bitfield! {
         /// Height above mean sea level. Bit 2.
         MSL_HEIGHT: bool = 2,
             msl_height, set_msl_height, with_msl_height;
-        /// Horizontal accuracy. Bit 3.
+        /// `horizontal_accuracy` is valid. Bit 3.
         HORIZONTAL_ACCURACY: bool = 3,
             horizontal_accuracy, set_horizontal_accuracy, with_horizontal_accuracy;
-        /// Vertical accuracy. Bit 4.
+        /// `vertical_accuracy` is valid. Bit 4.
         VERTICAL_ACCURACY: bool = 4,
             vertical_accuracy, set_vertical_accuracy, with_vertical_accuracy;
         /// All of them. Bits 0 to 4. Overlaps other bits.
@@ -70,7 +70,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the position are valid.
     EcefPositionFlags: u16 {
-        /// Position. Bit 0.
+        /// `position` is valid. Bit 0.
         POSITION: bool = 0,
             position, set_position, with_position;
         /// Accuracy of the position. Bit 1.
@@ -94,7 +94,7 @@ bitfield! {
         /// Speed over ground. Bit 2.
         GROUND_SPEED: bool = 2,
             ground_speed, set_ground_speed, with_ground_speed;
-        /// Heading. Bit 3.
+        /// `heading` is valid. Bit 3.
         HEADING: bool = 3,
             heading, set_heading, with_heading;
         /// Accuracy of the speed. Bit 4.
@@ -112,7 +112,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the velocity are valid.
     EcefVelocityFlags: u16 {
-        /// Velocity. Bit 0.
+        /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
             velocity, set_velocity, with_velocity;
         /// Accuracy of the velocity. Bit 1.
@@ -175,7 +175,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// All of them. Bits 0 to 1. Overlaps other bits.
@@ -187,10 +187,10 @@ bitfield! {
 bitfield! {
     /// Which clock parameters are valid.
     ClockInfoFlags: u16 {
-        /// Bias. Bit 0.
+        /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
             bias, set_bias, with_bias;
-        /// Drift. Bit 1.
+        /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
         /// Accuracy. Bit 2.
@@ -223,7 +223,7 @@ bitfield! {
         /// Number of satellites. Bit 1.
         NUM_SV: bool = 1,
             num_sv, set_num_sv, with_num_sv;
-        /// Fix flags. Bit 2.
+        /// `fix_flags` is valid. Bit 2.
         FIX_FLAGS: bool = 2,
             fix_flags, set_fix_flags, with_fix_flags;
         /// All of them. Bits 0 to 2. Overlaps other bits.
@@ -247,7 +247,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the satellite info are valid.
     SvInfoFlags: u16 {
-        /// Channel. Bit 0.
+        /// `channel` is valid. Bit 0.
         CHANNEL: bool = 0,
             channel, set_channel, with_channel;
         /// Satellite. Bit 1.
@@ -256,10 +256,10 @@ bitfield! {
         /// Carrier to noise density ratio. Bit 2.
         CARRIER_NOISE_RATIO: bool = 2,
             carrier_noise_ratio, set_carrier_noise_ratio, with_carrier_noise_ratio;
-        /// Azimuth. Bit 3.
+        /// `azimuth` is valid. Bit 3.
         AZIMUTH: bool = 3,
             azimuth, set_azimuth, with_azimuth;
-        /// Elevation. Bit 4.
+        /// `elevation` is valid. Bit 4.
         ELEVATION: bool = 4,
             elevation, set_elevation, with_elevation;
         /// State of the satellite. Bit 5.
@@ -332,7 +332,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the state of the corrections are valid.
     DgpsInfoFlags: u16 {
-        /// Age. Bit 0.
+        /// `age` is valid. Bit 0.
         AGE: bool = 0,
             age, set_age, with_age;
         /// Number of the base station. Bit 1.
@@ -356,7 +356,7 @@ bitfield! {
         /// Satellite. Bit 0.
         SATELLITE_ID: bool = 0,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Age. Bit 1.
+        /// `age` is valid. Bit 1.
         AGE: bool = 1,
             age, set_age, with_age;
         /// Correction of the range. Bit 2.
@@ -374,10 +374,10 @@ bitfield! {
 bitfield! {
     /// Which clock parameters are valid.
     ClockInfo2Flags: u16 {
-        /// Bias. Bit 0.
+        /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
             bias, set_bias, with_bias;
-        /// Drift. Bit 1.
+        /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
         /// Accuracy of the bias. Bit 2.
@@ -395,7 +395,7 @@ bitfield! {
 bitfield! {
     /// Whether the leap seconds are valid. Bit 0 is not used.
     GpsLeapSecondsFlags: u16 {
-        /// Leap seconds. Bit 1.
+        /// `leap_seconds` is valid. Bit 1.
         LEAP_SECONDS: bool = 1,
             leap_seconds, set_leap_seconds, with_leap_seconds;
     }
@@ -441,7 +441,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// System. Bit 2.
@@ -558,7 +558,7 @@ open_enum! {
 bitfield! {
     /// Which parts of the heading are valid.
     HeadingFlags: u16 {
-        /// Heading. Bit 0.
+        /// `heading` is valid. Bit 0.
         HEADING: bool = 0,
             heading, set_heading, with_heading;
         /// Uncertainty of the heading. Bit 1.
@@ -579,7 +579,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Constellation. Bit 2.
@@ -588,13 +588,13 @@ bitfield! {
         /// Satellite. Bit 3.
         SATELLITE_ID: bool = 3,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Elevation. Bit 4.
+        /// `elevation` is valid. Bit 4.
         ELEVATION: bool = 4,
             elevation, set_elevation, with_elevation;
-        /// Azimuth. Bit 5.
+        /// `azimuth` is valid. Bit 5.
         AZIMUTH: bool = 5,
             azimuth, set_azimuth, with_azimuth;
-        /// Health. Bit 6.
+        /// `health` is valid. Bit 6.
         HEALTH: bool = 6,
             health, set_health, with_health;
         /// All of them. Bits 0 to 6. Overlaps other bits.
@@ -627,13 +627,13 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Receiver or reference station. Bit 2.
         RECEIVER_ID: bool = 2,
             receiver_id, set_receiver_id, with_receiver_id;
-        /// Tracking channel. Bit 3.
+        /// `tracking_channel` is valid. Bit 3.
         TRACKING_CHANNEL: bool = 3,
             tracking_channel, set_tracking_channel, with_tracking_channel;
         /// Constellation. Bit 4.
@@ -645,16 +645,16 @@ bitfield! {
         /// Signal. Bit 6.
         SIGNAL_ID: bool = 6,
             signal_id, set_signal_id, with_signal_id;
-        /// Signal strength. Bit 7.
+        /// `signal_strength` is valid. Bit 7.
         SIGNAL_STRENGTH: bool = 7,
             signal_strength, set_signal_strength, with_signal_strength;
         /// Signal quality. Bit 8.
         QUALITY: bool = 8,
             quality, set_quality, with_quality;
-        /// Pseudorange. Bit 9.
+        /// `pseudorange` is valid. Bit 9.
         PSEUDORANGE: bool = 9,
             pseudorange, set_pseudorange, with_pseudorange;
-        /// Carrier phase. Bit 10.
+        /// `carrier_phase` is valid. Bit 10.
         CARRIER_PHASE: bool = 10,
             carrier_phase, set_carrier_phase, with_carrier_phase;
         /// Doppler shift. Bit 11.
@@ -669,7 +669,7 @@ bitfield! {
         /// Uncertainty of the Doppler shift. Bit 14.
         DOPPLER_UNCERTAINTY: bool = 14,
             doppler_uncertainty, set_doppler_uncertainty, with_doppler_uncertainty;
-        /// Lock time. Bit 15.
+        /// `lock_time` is valid. Bit 15.
         LOCK_TIME: bool = 15,
             lock_time, set_lock_time, with_lock_time;
         /// All of them. Bits 0 to 15. Overlaps other bits.
@@ -717,7 +717,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Position. Bit 2.
@@ -729,7 +729,7 @@ bitfield! {
         /// Station. Bit 4.
         STATION_ID: bool = 4,
             station_id, set_station_id, with_station_id;
-        /// Indicators. Bit 5.
+        /// `indicators` is valid. Bit 5.
         INDICATORS: bool = 5,
             indicators, set_indicators, with_indicators;
         /// All of them. Bits 0 to 5. Overlaps other bits.
@@ -778,10 +778,10 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Epoch status. Bit 2.
+        /// `epoch_status` is valid. Bit 2.
         EPOCH_STATUS: bool = 2,
             epoch_status, set_epoch_status, with_epoch_status;
         /// Status of the dongle. Bit 3.
@@ -851,7 +851,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients alpha. Bit 2.
@@ -872,7 +872,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients. Bit 2.
@@ -893,7 +893,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients alpha. Bit 2.
@@ -948,17 +948,17 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.msl_height`](LlhPositionFlags::msl_height) is set.
         pub msl_height: f64,
-        /// Horizontal accuracy.
+        /// Estimated error of latitude and longitude.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
         pub horizontal_accuracy: f32,
-        /// Vertical accuracy.
+        /// Estimated error of the heights.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
         pub vertical_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the position are valid.
         pub valid_flags: LlhPositionFlags,
     }
 }
@@ -983,7 +983,7 @@ record! {
     /// Position (0x92,0x04).
     #[derive(Copy, Default)]
     pub struct EcefPosition {
-        /// Position.
+        /// Position of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.position`](EcefPositionFlags::position) is set.
@@ -993,7 +993,7 @@ record! {
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         pub position_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the position are valid.
         pub valid_flags: EcefPositionFlags,
     }
 }
@@ -1019,7 +1019,7 @@ record! {
     /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
     #[derive(Copy, Default)]
     pub struct NedVelocity {
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0, east 0,
         /// down 0. Valid if [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
@@ -1048,7 +1048,7 @@ record! {
         /// Unit: deg. Range: at least 0. Valid if
         /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
         pub heading_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the velocity are valid.
         pub valid_flags: NedVelocityFlags,
     }
 }
@@ -1073,7 +1073,7 @@ record! {
     /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
@@ -1083,7 +1083,7 @@ record! {
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         pub velocity_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the velocity are valid.
         pub valid_flags: EcefVelocityFlags,
     }
 }
@@ -1135,7 +1135,7 @@ record! {
         ///
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         pub edop: f32,
-        /// Which values are valid.
+        /// Which dilutions of precision are valid.
         pub valid_flags: DopFlags,
     }
 }
@@ -1226,7 +1226,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimeFlags::week_number) is set.
         pub week_number: u16,
-        /// Which values are valid.
+        /// Which parts of the time are valid.
         pub valid_flags: GpsTimeFlags,
     }
 }
@@ -1264,7 +1264,7 @@ record! {
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
         pub accuracy_estimate: f64,
-        /// Which values are valid.
+        /// Which clock parameters are valid.
         pub valid_flags: ClockInfoFlags,
     }
 }
@@ -1305,7 +1305,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
         pub fix_flags: FixFlags,
-        /// Which values are valid.
+        /// Which parts of the fix information are valid.
         pub valid_flags: FixInfoFlags,
     }
 }
@@ -1345,11 +1345,11 @@ record! {
         /// Unit: dB-Hz. Valid if
         /// [`valid_flags.carrier_noise_ratio`](SvInfoFlags::carrier_noise_ratio) is set.
         pub carrier_noise_ratio: u16,
-        /// Azimuth.
+        /// Direction of the satellite, from north.
         ///
         /// Unit: deg. Valid if [`valid_flags.azimuth`](SvInfoFlags::azimuth) is set.
         pub azimuth: i16,
-        /// Elevation.
+        /// Angle of the satellite above the horizon.
         ///
         /// Unit: deg. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation) is set.
         pub elevation: i16,
@@ -1357,7 +1357,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sv_flags`](SvInfoFlags::sv_flags) is set.
         pub sv_flags: SvFlags,
-        /// Which values are valid.
+        /// Which parts of the satellite info are valid.
         pub valid_flags: SvInfoFlags,
     }
 }
@@ -1394,7 +1394,7 @@ record! {
         ///
         /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
-        /// Which values are valid.
+        /// Which parts of the hardware status are valid.
         pub valid_flags: HardwareStatusFlags,
     }
 }
@@ -1441,7 +1441,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.num_channels`](DgpsInfoFlags::num_channels) is set.
         pub num_channels: u16,
-        /// Which values are valid.
+        /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1486,7 +1486,7 @@ record! {
         ///
         /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
         pub range_rate_correction: f32,
-        /// Which values are valid.
+        /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1532,7 +1532,7 @@ record! {
         /// Unit: m/s. Valid if
         /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
         pub range_rate_correction: f32,
-        /// Which values are valid.
+        /// Which parts of a differential correction are valid.
         pub valid_flags: DgpsChannelFlags,
     }
 }
@@ -1576,7 +1576,7 @@ record! {
         /// Unit: s/s. Range: at least 0. Valid if
         /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
         pub drift_accuracy_estimate: f64,
-        /// Which values are valid.
+        /// Which clock parameters are valid.
         pub valid_flags: ClockInfo2Flags,
     }
 }
@@ -1653,7 +1653,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sbas_status`](SbasInfoFlags::sbas_status) is set.
         pub sbas_status: SbasStatus,
-        /// Which values are valid.
+        /// Which parts of the SBAS status are valid.
         pub valid_flags: SbasInfoFlags,
     }
 }
@@ -1712,7 +1712,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.iono_correction`](SbasCorrectionFlags::iono_correction)
         /// is set.
         pub iono_correction: f32,
-        /// Which values are valid.
+        /// Which parts of an SBAS correction are valid.
         pub valid_flags: SbasCorrectionFlags,
     }
 }
@@ -1755,7 +1755,7 @@ record! {
         pub frequency: u16,
         /// Reserved.
         pub reserved: [u8; 2],
-        /// Which values are valid.
+        /// Which parts of the detection are valid.
         pub valid_flags: RfErrorDetectionFlags,
     }
 }
@@ -1794,7 +1794,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
         pub fix_type: HeadingFixType,
-        /// Which values are valid.
+        /// Which parts of the heading are valid.
         pub valid_flags: HeadingFlags,
     }
 }
@@ -1857,7 +1857,7 @@ record! {
         ///
         /// Valid if [`valid_flags.health`](SatelliteStatusFlags::health) is set.
         pub health: crate::Bool,
-        /// Which values are valid.
+        /// Which parts of the satellite status are valid.
         pub valid_flags: SatelliteStatusFlags,
     }
 }
@@ -1955,7 +1955,7 @@ record! {
         ///
         /// Unit: s. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is set.
         pub lock_time: f32,
-        /// Which values are valid.
+        /// Which parts of the observation are valid.
         pub valid_flags: RawFlags,
     }
 }
@@ -2694,7 +2694,7 @@ record! {
         /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: The
         /// units.
         pub beta: [f64; 4],
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
 }
@@ -2737,7 +2737,7 @@ record! {
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
         /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
 }
@@ -2784,7 +2784,7 @@ record! {
         /// Valid if [`valid_flags.alpha_correction`](BeidouIonoCorrectionFlags::alpha_correction)
         /// is set. Uncertain: The units.
         pub alpha_correction: [f64; 9],
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
 }

@@ -161,7 +161,7 @@ record! {
     /// Accel (0x80,0x04).
     #[derive(Copy, Default)]
     pub struct ScaledAccel {
-        /// Acceleration.
+        /// Specific force: acceleration minus gravity.
         ///
         /// Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
         pub scaled_accel: types::Vector3f,
@@ -210,7 +210,7 @@ record! {
     /// (0x80,0x05).
     #[derive(Copy, Default)]
     pub struct ScaledGyro {
-        /// Angular rate.
+        /// Angular rate about each axis.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0.
         /// Positive: right side down, nose up, clockwise seen from above.
@@ -764,7 +764,7 @@ record! {
         ///
         /// Unit: degC.
         pub max_temperature: f32,
-        /// Mean temperature.
+        /// Mean of the temperatures inside the device.
         ///
         /// Unit: degC.
         pub mean_temperature: f32,
