@@ -5019,10 +5019,10 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
@@ -5225,15 +5225,15 @@ types:
       - id: latitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Altitude. Unit: m."
+        doc: "Altitude of the reference position. Unit: m."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
     doc: Capture automatic magnetometer calibration. Moves what the automatic magnetometer calibration has found into the fixed calibration.
@@ -5903,13 +5903,13 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
-        doc: "Altitude. Unit: m."
+        doc: "Altitude of the reference position. Unit: m."
   filter_gravity_noise_response:
     -orig-id: filter.gravity_noise_response
     doc: "Gravity noise response. "
@@ -6706,10 +6706,10 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
@@ -6788,7 +6788,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7159,10 +7159,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.ellipsoid_height` is set."
@@ -8202,10 +8202,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."

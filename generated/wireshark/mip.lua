@@ -1909,8 +1909,8 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -2017,9 +2017,9 @@ field({ descriptor = 0x26, name = "filter.reference_position", role = "command",
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
     doc = "Moves what the automatic magnetometer calibration has found into the fixed calibration.", least = 1,
@@ -2357,9 +2357,9 @@ field({ descriptor = 0x90, name = "filter.reference_position_response", role = "
     always = 4,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
-      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
+      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." },
     } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
 field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
     doc = "", least = 12,
@@ -2828,8 +2828,8 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
@@ -2870,7 +2870,7 @@ field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command"
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
@@ -3114,8 +3114,8 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
@@ -3566,8 +3566,8 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
     doc = "Estimated position.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })

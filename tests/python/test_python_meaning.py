@@ -527,7 +527,7 @@ def test_the_program_of_the_readme_runs() -> None:
     lines = done.stdout.splitlines()
     assert lines[0] == "GNSS LLH position is sent by 3dm-cv7-gnss-ins 3dm-gq7"
     assert lines[1].startswith(
-        "deg ('valid_flags.lat_lon',) - Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if "
+        "deg ('valid_flags.lat_lon',) - Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if "
     )
     assert lines[2].startswith("gnss_data.llh_position: latitude = 44.5 deg, ") and lines[3] == "True False"
     assert "'valid_flags': ['lat_lon']" in lines[4] and lines[5] == "sensor.temperature_statistics"

@@ -705,11 +705,11 @@ class LlhPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
     `LlhAxisFlags.LATITUDE` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
     `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
     """
     height: float
@@ -1049,9 +1049,9 @@ class BodyFrameVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
-    x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each
+    element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:

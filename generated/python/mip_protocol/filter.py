@@ -936,12 +936,12 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     altitude: float
-    """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
-    manual does not say; its glossary counts altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
+    or from sea level. The manual does not say; its glossary counts altitudes from sea level.
     """
 
     def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
@@ -3548,9 +3548,9 @@ class ExternalGnssUpdate(Command[None]):
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
@@ -4897,13 +4897,17 @@ class ReferencePosition(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for `write`."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+    `write`.
+    """
     longitude: float | None
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for `write`.
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+    `write`.
     """
     altitude: float | None
-    """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or
-    from sea level. The manual does not say; its glossary counts altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it
+    counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+    altitudes from sea level.
     """
 
     def __init__(

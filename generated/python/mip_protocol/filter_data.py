@@ -399,11 +399,11 @@ class LlhPosition(Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     ellipsoid_height: float

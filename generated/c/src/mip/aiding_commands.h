@@ -246,10 +246,10 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
+ *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
@@ -428,9 +428,9 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in

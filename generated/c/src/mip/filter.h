@@ -1667,9 +1667,9 @@ struct mip_filter_external_gnss_update {
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
+    /** Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
+    /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
@@ -1765,8 +1765,8 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
  *
  * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -3574,13 +3574,20 @@ struct mip_filter_reference_position {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for write. */
+    /**
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+     * write.
+     */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for write. */
+    /**
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+     * write.
+     */
     double longitude;
     /**
-     * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
-     * from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether it counts
+     * from the ellipsoid or from sea level. The manual does not say; its glossary counts altitudes
+     * from sea level.
      */
     double altitude;
 };
@@ -3610,13 +3617,13 @@ static inline mip_error mip_filter_reference_position_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
- *   write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
- *   write.
- * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
- *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
- *   level.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
+ *   for write.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ *   Required for write.
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+ *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+ *   altitudes from sea level.
  */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
@@ -3668,13 +3675,13 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
+    /** Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
+    /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /**
-     * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
-     * manual does not say; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
+     * or from sea level. The manual does not say; its glossary counts altitudes from sea level.
      */
     double altitude;
 };

@@ -649,8 +649,8 @@ static inline mip_error mip_send_filter_external_gnss_update(
  *
  * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -1506,13 +1506,13 @@ static inline mip_error mip_send_filter_reference_position(
  * Set reference position: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
- *   write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
- *   write.
- * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
- *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
- *   level.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
+ *   for write.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ *   Required for write.
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+ *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+ *   altitudes from sea level.
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {

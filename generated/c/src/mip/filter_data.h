@@ -434,12 +434,12 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  */
 struct mip_filter_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double longitude;

@@ -628,12 +628,12 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  */
 struct mip_gnss_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double longitude;

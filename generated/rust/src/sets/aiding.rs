@@ -370,12 +370,12 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set.
@@ -632,7 +632,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:

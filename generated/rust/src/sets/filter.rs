@@ -993,11 +993,11 @@ record! {
         ///
         /// Unit: week.
         pub week_number: u16,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
@@ -1874,17 +1874,17 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub longitude: Option<f64>,
-        /// Altitude.
+        /// Altitude of the reference position.
         ///
         /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
         /// counts from the ellipsoid or from sea level. The manual does not say; its glossary
@@ -4397,15 +4397,15 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
-        /// Altitude.
+        /// Altitude of the reference position.
         ///
         /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
         /// does not say; its glossary counts altitudes from sea level.

@@ -401,12 +401,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
     pub struct LlhPosition {
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.

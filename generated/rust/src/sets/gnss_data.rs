@@ -929,12 +929,12 @@ record! {
     /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
     #[derive(Copy, Default)]
     pub struct LlhPosition {
-        /// Latitude.
+        /// Geodetic latitude.
         ///
         /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
         /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
