@@ -2787,9 +2787,8 @@ class VehicleDynamicsMode(Command[R]):
     Adapts the filter to the motion that it has to expect.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`. Changes `filter_data.Status`. Probably changes filter_data
-    (0x82). Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known only from the MicroStrain
-    MIP SDK.
+    `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45. May
+    be supported by 3DM-GX3-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -7609,8 +7608,8 @@ class InitializationConfig(Command[R]):
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Changes `filter_data.Status`. Probably
-    changes `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
+    `default`. Answered by `InitializationConfigResponse`. Probably changes `filter_data.Status`,
+    `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 

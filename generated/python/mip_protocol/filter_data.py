@@ -1308,8 +1308,8 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Changed by `filter.Run`, `filter.VehicleDynamicsMode` and `filter.InitializationConfig`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Changed by `filter.Run`. Probably changed by `filter.InitializationConfig`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
     (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other

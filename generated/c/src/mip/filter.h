@@ -680,8 +680,8 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Adapts the filter to the motion that it has to expect.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Changes mip_filter_data_status. Probably changes
- * MIP_FILTER_DATA_SET. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
+ * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -7047,11 +7047,10 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_initialization_config_response. Changes mip_filter_data_status. Probably
- * changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
- * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion,
- * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Answered by mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
+ * mip_filter_data_llh_position, mip_filter_data_ecef_position, mip_filter_data_ned_velocity,
+ * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
+ * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.

@@ -1687,8 +1687,8 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  *
  * State, dynamics mode, condition and warnings of the filter.
  *
- * Changed by mip_filter_run, mip_filter_vehicle_dynamics_mode and mip_filter_initialization_config.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Changed by mip_filter_run. Probably changed by mip_filter_initialization_config. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The meaning of all three values depends on the device.
  *

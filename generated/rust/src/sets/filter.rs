@@ -545,9 +545,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
-    /// Changes [`filter_data::Status`](crate::filter_data::Status). Probably changes filter_data
-    /// (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
+    /// Probably changes filter_data (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45). May
+    /// be supported by [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -3317,7 +3317,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
-    /// Changes [`filter_data::Status`](crate::filter_data::Status). Probably changes
+    /// Probably changes [`filter_data::Status`](crate::filter_data::Status),
     /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),

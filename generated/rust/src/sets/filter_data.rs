@@ -1024,8 +1024,7 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Changed by [`filter::Run`](crate::filter::Run),
-    /// [`filter::VehicleDynamicsMode`](crate::filter::VehicleDynamicsMode) and
+    /// Changed by [`filter::Run`](crate::filter::Run). Probably changed by
     /// [`filter::InitializationConfig`](crate::filter::InitializationConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
