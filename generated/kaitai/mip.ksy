@@ -1825,10 +1825,10 @@ types:
         type: b11
       - id: vertical_accuracy
         type: b1
-        doc: Vertical accuracy.
+        doc: "`vertical_accuracy` is valid."
       - id: horizontal_accuracy
         type: b1
-        doc: Horizontal accuracy.
+        doc: "`horizontal_accuracy` is valid."
       - id: msl_height
         type: b1
         doc: Height above mean sea level.
@@ -1853,7 +1853,7 @@ types:
         doc: Accuracy of the position.
       - id: position
         type: b1
-        doc: Position.
+        doc: "`position` is valid."
     instances:
       flags:
         value: "(position ? 1 : 0) + (position_accuracy ? 2 : 0)"
@@ -1872,7 +1872,7 @@ types:
         doc: Accuracy of the speed.
       - id: heading
         type: b1
-        doc: Heading.
+        doc: "`heading` is valid."
       - id: ground_speed
         type: b1
         doc: Speed over ground.
@@ -1897,7 +1897,7 @@ types:
         doc: Accuracy of the velocity.
       - id: velocity
         type: b1
-        doc: Velocity.
+        doc: "`velocity` is valid."
     instances:
       flags:
         value: "(velocity ? 1 : 0) + (velocity_accuracy ? 2 : 0)"
@@ -1957,7 +1957,7 @@ types:
         type: b14
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -1976,10 +1976,10 @@ types:
         doc: Accuracy.
       - id: drift
         type: b1
-        doc: Drift.
+        doc: "`drift` is valid."
       - id: bias
         type: b1
-        doc: Bias.
+        doc: "`bias` is valid."
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (accuracy_estimate ? 4 : 0)"
@@ -2004,7 +2004,7 @@ types:
         type: b13
       - id: fix_flags
         type: b1
-        doc: Fix flags.
+        doc: "`fix_flags` is valid."
       - id: num_sv
         type: b1
         doc: Number of satellites.
@@ -2038,10 +2038,10 @@ types:
         doc: State of the satellite.
       - id: elevation
         type: b1
-        doc: Elevation.
+        doc: "`elevation` is valid."
       - id: azimuth
         type: b1
-        doc: Azimuth.
+        doc: "`azimuth` is valid."
       - id: carrier_noise_ratio
         type: b1
         doc: Carrier to noise density ratio.
@@ -2050,7 +2050,7 @@ types:
         doc: Satellite.
       - id: channel
         type: b1
-        doc: Channel.
+        doc: "`channel` is valid."
     instances:
       flags:
         value: "(channel ? 1 : 0) + (satellite_id ? 2 : 0) + (carrier_noise_ratio ? 4 : 0) + (azimuth ? 8 : 0) + (elevation ? 16 : 0) + (sv_flags ? 32 : 0)"
@@ -2091,7 +2091,7 @@ types:
         doc: Number of the base station.
       - id: age
         type: b1
-        doc: Age.
+        doc: "`age` is valid."
     instances:
       flags:
         value: "(age ? 1 : 0) + (base_station_id ? 2 : 0) + (base_station_status ? 4 : 0) + (num_channels ? 8 : 0)"
@@ -2110,7 +2110,7 @@ types:
         doc: Correction of the range.
       - id: age
         type: b1
-        doc: Age.
+        doc: "`age` is valid."
       - id: satellite_id
         type: b1
         doc: Satellite.
@@ -2132,10 +2132,10 @@ types:
         doc: Accuracy of the bias.
       - id: drift
         type: b1
-        doc: Drift.
+        doc: "`drift` is valid."
       - id: bias
         type: b1
-        doc: Bias.
+        doc: "`bias` is valid."
     instances:
       flags:
         value: "(bias ? 1 : 0) + (drift ? 2 : 0) + (bias_accuracy ? 4 : 0) + (drift_accuracy ? 8 : 0)"
@@ -2148,7 +2148,7 @@ types:
         type: b14
       - id: leap_seconds
         type: b1
-        doc: Leap seconds.
+        doc: "`leap_seconds` is valid."
       - id: unused_0
         type: b1
   gnss_data_sbas_status:
@@ -2189,7 +2189,7 @@ types:
         doc: System.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2252,7 +2252,7 @@ types:
         doc: Uncertainty of the heading.
       - id: heading
         type: b1
-        doc: Heading.
+        doc: "`heading` is valid."
     instances:
       flags:
         value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
@@ -2265,13 +2265,13 @@ types:
         type: b9
       - id: health
         type: b1
-        doc: Health.
+        doc: "`health` is valid."
       - id: azimuth
         type: b1
-        doc: Azimuth.
+        doc: "`azimuth` is valid."
       - id: elevation
         type: b1
-        doc: Elevation.
+        doc: "`elevation` is valid."
       - id: satellite_id
         type: b1
         doc: Satellite.
@@ -2280,7 +2280,7 @@ types:
         doc: Constellation.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2294,7 +2294,7 @@ types:
     seq:
       - id: lock_time
         type: b1
-        doc: Lock time.
+        doc: "`lock_time` is valid."
       - id: doppler_uncertainty
         type: b1
         doc: Uncertainty of the Doppler shift.
@@ -2309,16 +2309,16 @@ types:
         doc: Doppler shift.
       - id: carrier_phase
         type: b1
-        doc: Carrier phase.
+        doc: "`carrier_phase` is valid."
       - id: pseudorange
         type: b1
-        doc: Pseudorange.
+        doc: "`pseudorange` is valid."
       - id: quality
         type: b1
         doc: Signal quality.
       - id: signal_strength
         type: b1
-        doc: Signal strength.
+        doc: "`signal_strength` is valid."
       - id: signal_id
         type: b1
         doc: Signal.
@@ -2330,13 +2330,13 @@ types:
         doc: Constellation.
       - id: tracking_channel
         type: b1
-        doc: Tracking channel.
+        doc: "`tracking_channel` is valid."
       - id: receiver_id
         type: b1
         doc: Receiver or reference station.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2386,7 +2386,7 @@ types:
         type: b10
       - id: indicators
         type: b1
-        doc: Indicators.
+        doc: "`indicators` is valid."
       - id: station_id
         type: b1
         doc: Station.
@@ -2398,7 +2398,7 @@ types:
         doc: Position.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2462,10 +2462,10 @@ types:
         doc: Status of the dongle.
       - id: epoch_status
         type: b1
-        doc: Epoch status.
+        doc: "`epoch_status` is valid."
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2519,7 +2519,7 @@ types:
         doc: Coefficients alpha.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2541,7 +2541,7 @@ types:
         doc: Coefficients.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -2566,7 +2566,7 @@ types:
         doc: Coefficients alpha.
       - id: week_number
         type: b1
-        doc: Week number.
+        doc: "`week_number` is valid."
       - id: tow
         type: b1
         doc: Time of week.
@@ -3562,7 +3562,7 @@ types:
       - id: tow
         type: f8
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         if: function_value == function_selector::write or _io.size >= 11
@@ -3570,7 +3570,7 @@ types:
       - id: accuracy
         type: f4
         if: function_value == function_selector::write or _io.size >= 15
-        doc: "Accuracy of the time. Unit: s."
+        doc: "Accuracy of the time. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
     doc: PPS Source Control. Where the device takes its pulse per second from.
@@ -3995,7 +3995,7 @@ types:
       - id: uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
+        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
     doc: Advanced Low-Pass Filter Settings. Low-pass filter of one quantity of the sensor data.
@@ -5085,13 +5085,13 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number since 1980. Unit: week."
       - id: accuracy
         type: f4
-        doc: "Accuracy of the time. Unit: s."
+        doc: "Accuracy of the time. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control_response:
     -orig-id: 3dm.pps_source_control_response
     doc: "PPS Source Control response. "
@@ -5281,7 +5281,7 @@ types:
         doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
-        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
+        doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_sensor_range_response:
     -orig-id: 3dm.sensor_range_response
     doc: "Sensor Range response. "
@@ -5457,28 +5457,28 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week, counted without rollover. Unit: week."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ned."
       - id: position_uncertainty
         type: ned3f
-        doc: "Standard deviation of the position. Unit: m. Frame: ned."
+        doc: "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0."
       - id: velocity_uncertainty
         type: ned3f
-        doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned."
+        doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
     doc: External heading update. Gives the filter one measurement of the heading of the sensor frame in the NED frame.
@@ -5603,7 +5603,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week of the measurement. Unit: s."
+        doc: "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week, counted without rollover. Unit: week."
@@ -5669,15 +5669,15 @@ types:
       - id: latitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Altitude. Unit: m."
+        doc: "Altitude of the reference position. Unit: m."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
     doc: Capture automatic magnetometer calibration. Moves what the automatic magnetometer calibration has found into the fixed calibration.
@@ -5812,15 +5812,15 @@ types:
       - id: low_limit_uncertainty
         type: f4
         if: _io.size >= 18
-        doc: "Standard deviation at the lower limit. Unit: m/s^2."
+        doc: "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         if: _io.size >= 22
-        doc: "Standard deviation at the upper limit. Unit: m/s^2."
+        doc: "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: _io.size >= 26
-        doc: "Smallest standard deviation. Unit: m/s^2."
+        doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement
     doc: Magnetometer magnitude error adaptive measurement. How far the filter trusts a magnetic field whose magnitude is not as expected.
@@ -5850,15 +5850,15 @@ types:
       - id: low_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Standard deviation at the lower limit. Unit: gauss."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 22
-        doc: "Standard deviation at the upper limit. Unit: gauss."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Smallest standard deviation. Unit: gauss."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
   filter_mag_dip_angle_error_adaptive_measurement:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement
     doc: Magnetometer dip angle error adaptive measurement. How far the filter trusts a magnetic field whose dip angle is not as expected.
@@ -5883,11 +5883,11 @@ types:
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Standard deviation at the upper limit. Unit: rad."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Smallest standard deviation. Unit: rad."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
     doc: Altitude aiding. What aids the altitude in addition to GNSS.
@@ -6152,13 +6152,13 @@ types:
         doc: "Send 1. Reserved: send 1."
       - id: tow
         type: f4
-        doc: "GPS time of week of the measurement. Unit: s."
+        doc: "GPS time of week of the measurement. Unit: s. Range: 0 to 604800."
       - id: speed
         type: f4
         doc: "Speed, negative in reverse. Unit: m/s. Frame: vehicle."
       - id: speed_uncertainty
         type: f4
-        doc: "Standard deviation of the speed. Unit: m/s."
+        doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
   filter_speed_lever_arm:
     -orig-id: filter.speed_lever_arm
     doc: Speed measurement lever arm. Position of the point whose speed is measured, such as the wheel that an odometer is on.
@@ -6347,13 +6347,13 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
-        doc: "Altitude. Unit: m."
+        doc: "Altitude of the reference position. Unit: m."
   filter_gravity_noise_response:
     -orig-id: filter.gravity_noise_response
     doc: "Gravity noise response. "
@@ -6433,13 +6433,13 @@ types:
         doc: "Upper limit of the error. Unit: m/s^2."
       - id: low_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the lower limit. Unit: m/s^2."
+        doc: "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: m/s^2."
+        doc: "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: m/s^2."
+        doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement_response:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement_response
     doc: "Magnetometer magnitude error adaptive measurement response. "
@@ -6459,13 +6459,13 @@ types:
         doc: "Upper limit of the error. Unit: gauss."
       - id: low_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the lower limit. Unit: gauss."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: gauss."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: gauss."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
   filter_mag_dip_angle_error_adaptive_measurement_response:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement_response
     doc: "Magnetometer dip angle error adaptive measurement response. "
@@ -6481,10 +6481,10 @@ types:
         doc: "Upper limit of the error. Unit: rad."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: rad."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: rad."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
   filter_altitude_aiding_response:
     -orig-id: filter.altitude_aiding_response
     doc: "Altitude aiding response. "
@@ -7131,7 +7131,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7150,10 +7150,10 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
@@ -7178,7 +7178,7 @@ types:
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the height. Unit: m."
+        doc: "Uncertainty of the height. Unit: m. Range: at least 0."
       - id: valid_flags
         type: u2
         doc: "Not 0: the measurement is valid."
@@ -7194,7 +7194,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7213,7 +7213,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: uncertainty
         type: ned3f
         doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
@@ -7232,7 +7232,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7251,7 +7251,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: heading
         type: f4
-        doc: "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: rad. Range: greater than 0."
@@ -7270,7 +7270,7 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: magnetic_field
         type: vector3f
-        doc: "Magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        doc: "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
       - id: uncertainty
         type: vector3f
         doc: "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7421,14 +7421,14 @@ types:
     seq:
       - id: scaled_accel
         type: vector3f
-        doc: "Acceleration. Unit: g. Frame: vehicle."
+        doc: "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle."
   sensor_scaled_gyro:
     -orig-id: sensor.scaled_gyro
     doc: Scaled gyro. Measured angular rate, temperature compensated.
     seq:
       - id: scaled_gyro
         type: vector3f
-        doc: "Angular rate. Unit: rad/s. Frame: vehicle."
+        doc: "Angular rate about each axis. Unit: rad/s. Frame: vehicle."
   sensor_scaled_mag:
     -orig-id: sensor.scaled_mag
     doc: Scaled mag. Measured magnetic field, temperature compensated.
@@ -7477,13 +7477,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned."
+        doc: "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad. Frame: ned."
+        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad. Frame: ned."
+        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   sensor_orientation_raw_temperature:
     -orig-id: sensor.orientation_raw_temperature
     doc: Orientation raw temperatures. Raw readings of four temperature sensors.
@@ -7543,7 +7543,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow_valid` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set."
@@ -7562,7 +7562,7 @@ types:
         doc: "Highest temperature. Unit: degC."
       - id: mean_temperature
         type: f4
-        doc: "Mean temperature. Unit: degC."
+        doc: "Mean of the temperatures inside the device. Unit: degC."
   sensor_raw_pressure:
     -orig-id: sensor.raw_pressure
     doc: Raw pressure. Raw ambient pressure in counts of the sensor, temperature compensated.
@@ -7593,7 +7593,7 @@ types:
         doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if `valid_flags.odometer` is set."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the speed. Unit: m/s. Valid if `valid_flags.odometer` is set."
+        doc: "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.odometer` is set."
       - id: valid_flags
         type: sensor_odometer_flags
         doc: Whether the values are valid.
@@ -7603,10 +7603,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.ellipsoid_height` is set."
@@ -7615,92 +7615,92 @@ types:
         doc: "Height above mean sea level. Unit: m. Valid if `valid_flags.msl_height` is set."
       - id: horizontal_accuracy
         type: f4
-        doc: "Horizontal accuracy. Unit: m. Valid if `valid_flags.horizontal_accuracy` is set."
+        doc: "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if `valid_flags.horizontal_accuracy` is set."
       - id: vertical_accuracy
         type: f4
-        doc: "Vertical accuracy. Unit: m. Valid if `valid_flags.vertical_accuracy` is set."
+        doc: "Estimated error of the heights. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
       - id: valid_flags
         type: gnss_data_llh_position_flags
-        doc: Which values are valid.
+        doc: Which parts of the position are valid.
   gnss_data_ecef_position:
     -orig-id: gnss_data.ecef_position
     doc: GNSS ECEF position. GNSS position in Earth-fixed coordinates.
     seq:
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
+        doc: "Position of the antenna. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
       - id: position_accuracy
         type: f4
-        doc: "Accuracy of the position. Unit: m. Valid if `valid_flags.position_accuracy` is set."
+        doc: "Accuracy of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
-        doc: Which values are valid.
+        doc: Which parts of the position are valid.
   gnss_data_ned_velocity:
     -orig-id: gnss_data.ned_velocity
     doc: NED velocity. GNSS velocity in the local level frame.
     seq:
       - id: velocity
         type: ned3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
       - id: speed
         type: f4
         doc: "Speed in space. Unit: m/s. Valid if `valid_flags.speed_3d` is set."
       - id: ground_speed
         type: f4
-        doc: "Speed over ground. Unit: m/s. Valid if `valid_flags.ground_speed` is set."
+        doc: "Speed over ground. Unit: m/s. Range: at least 0. Valid if `valid_flags.ground_speed` is set."
       - id: heading
         type: f4
         doc: "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
       - id: speed_accuracy
         type: f4
-        doc: "Accuracy of the speed. Unit: m/s. Valid if `valid_flags.speed_accuracy` is set."
+        doc: "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_accuracy` is set."
       - id: heading_accuracy
         type: f4
-        doc: "Accuracy of the heading. Unit: deg. Valid if `valid_flags.heading_accuracy` is set."
+        doc: "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
-        doc: Which values are valid.
+        doc: Which parts of the velocity are valid.
   gnss_data_ecef_velocity:
     -orig-id: gnss_data.ecef_velocity
     doc: GNSS ECEF velocity. GNSS velocity in Earth-fixed coordinates.
     seq:
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
+        doc: "Velocity of the antenna. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
       - id: velocity_accuracy
         type: f4
-        doc: "Accuracy of the velocity. Unit: m/s. Valid if `valid_flags.velocity_accuracy` is set."
+        doc: "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
-        doc: Which values are valid.
+        doc: Which parts of the velocity are valid.
   gnss_data_dop:
     -orig-id: gnss_data.dop
     doc: DOP. Dilution of precision of the satellite geometry.
     seq:
       - id: gdop
         type: f4
-        doc: "Geometric dilution. Unit: 1. Valid if `valid_flags.gdop` is set."
+        doc: "Geometric dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.gdop` is set."
       - id: pdop
         type: f4
-        doc: "Position dilution. Unit: 1. Valid if `valid_flags.pdop` is set."
+        doc: "Position dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.pdop` is set."
       - id: hdop
         type: f4
-        doc: "Horizontal dilution. Unit: 1. Valid if `valid_flags.hdop` is set."
+        doc: "Horizontal dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.hdop` is set."
       - id: vdop
         type: f4
-        doc: "Vertical dilution. Unit: 1. Valid if `valid_flags.vdop` is set."
+        doc: "Vertical dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.vdop` is set."
       - id: tdop
         type: f4
-        doc: "Time dilution. Unit: 1. Valid if `valid_flags.tdop` is set."
+        doc: "Time dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.tdop` is set."
       - id: ndop
         type: f4
-        doc: "Northing dilution. Unit: 1. Valid if `valid_flags.ndop` is set."
+        doc: "Northing dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.ndop` is set."
       - id: edop
         type: f4
-        doc: "Easting dilution. Unit: 1. Valid if `valid_flags.edop` is set."
+        doc: "Easting dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.edop` is set."
       - id: valid_flags
         type: gnss_data_dop_flags
-        doc: Which values are valid.
+        doc: Which dilutions of precision are valid.
   gnss_data_utc_time:
     -orig-id: gnss_data.utc_time
     doc: UTC time. Coordinated universal time as the receiver knows it.
@@ -7735,13 +7735,13 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: gnss_data_gps_time_flags
-        doc: Which values are valid.
+        doc: Which parts of the time are valid.
   gnss_data_clock_info:
     -orig-id: gnss_data.clock_info
     doc: Clock info. Bias and drift of the receiver clock.
@@ -7754,10 +7754,10 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: accuracy_estimate
         type: f8
-        doc: "Estimated accuracy. Unit: s. Valid if `valid_flags.accuracy_estimate` is set."
+        doc: "Estimated accuracy. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
-        doc: Which values are valid.
+        doc: Which clock parameters are valid.
   gnss_data_fix_info:
     -orig-id: gnss_data.fix_info
     doc: Fix info. Type of the position fix and what it is based on.
@@ -7774,7 +7774,7 @@ types:
         doc: "What the fix uses. Valid if `valid_flags.fix_flags` is set."
       - id: valid_flags
         type: gnss_data_fix_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the fix information are valid.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
     doc: Satellite info. One satellite that is tracked.
@@ -7790,16 +7790,16 @@ types:
         doc: "Carrier to noise density ratio. Unit: dB-Hz. Valid if `valid_flags.carrier_noise_ratio` is set."
       - id: azimuth
         type: s2
-        doc: "Azimuth. Unit: deg. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite, from north. Unit: deg. Valid if `valid_flags.azimuth` is set."
       - id: elevation
         type: s2
-        doc: "Elevation. Unit: deg. Valid if `valid_flags.elevation` is set."
+        doc: "Angle of the satellite above the horizon. Unit: deg. Valid if `valid_flags.elevation` is set."
       - id: sv_flags
         type: gnss_data_sv_flags
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
       - id: valid_flags
         type: gnss_data_sv_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the satellite info are valid.
   gnss_data_hardware_status:
     -orig-id: gnss_data.hardware_status
     doc: GNSS hardware status. State of the receiver and of its antenna.
@@ -7818,7 +7818,7 @@ types:
         doc: "Supply of the antenna. Valid if `valid_flags.antenna_power` is set."
       - id: valid_flags
         type: gnss_data_hardware_status_flags
-        doc: Which values are valid.
+        doc: Which parts of the hardware status are valid.
   gnss_data_dgps_info:
     -orig-id: gnss_data.dgps_info
     doc: DGPS info. State of the differential corrections.
@@ -7837,7 +7837,7 @@ types:
         doc: "Number of channels that have corrections. Unit: 1. Valid if `valid_flags.num_channels` is set."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the state of the corrections are valid.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
     doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
@@ -7856,7 +7856,7 @@ types:
         doc: "Correction of the range rate. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the state of the corrections are valid.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
     doc: DGPS channel. Differential correction for one satellite.
@@ -7875,7 +7875,7 @@ types:
         doc: "Correction of the range rate. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
       - id: valid_flags
         type: gnss_data_dgps_channel_flags
-        doc: Which values are valid.
+        doc: Which parts of a differential correction are valid.
   gnss_data_clock_info_2:
     -orig-id: gnss_data.clock_info_2
     doc: Clock info 2. Bias and drift of the receiver clock.
@@ -7888,13 +7888,13 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: bias_accuracy_estimate
         type: f8
-        doc: "Accuracy of the bias. Unit: s. Valid if `valid_flags.bias_accuracy` is set."
+        doc: "Accuracy of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.bias_accuracy` is set."
       - id: drift_accuracy_estimate
         type: f8
-        doc: "Accuracy of the drift. Unit: s/s. Valid if `valid_flags.drift_accuracy` is set."
+        doc: "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
-        doc: Which values are valid.
+        doc: Which clock parameters are valid.
   gnss_data_gps_leap_seconds:
     -orig-id: gnss_data.gps_leap_seconds
     doc: GPS leap seconds. Difference between GPS time and UTC.
@@ -7911,7 +7911,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -7930,7 +7930,7 @@ types:
         doc: "Status of the service. Valid if `valid_flags.sbas_status` is set."
       - id: valid_flags
         type: gnss_data_sbas_info_flags
-        doc: Which values are valid.
+        doc: Which parts of the SBAS status are valid.
   gnss_data_sbas_correction:
     -orig-id: gnss_data.sbas_correction
     doc: SBAS correction. SBAS correction for one satellite.
@@ -7943,7 +7943,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week of the reception. Unit: s."
+        doc: "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -7965,7 +7965,7 @@ types:
         doc: "Correction of the ionospheric delay. Unit: m. Valid if `valid_flags.iono_correction` is set."
       - id: valid_flags
         type: gnss_data_sbas_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of an SBAS correction are valid.
   gnss_data_rf_error_detection:
     -orig-id: gnss_data.rf_error_detection
     doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
@@ -7992,7 +7992,7 @@ types:
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
-        doc: Which values are valid.
+        doc: Which parts of the detection are valid.
   gnss_data_heading:
     -orig-id: gnss_data.heading
     doc: GNSS heading. Heading that the receiver computes from its antennas.
@@ -8002,14 +8002,14 @@ types:
         doc: "Heading of the baseline between the antennas. Unit: deg. Valid if `valid_flags.heading` is set."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: deg. Valid if `valid_flags.uncertainty` is set."
+        doc: "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.uncertainty` is set."
       - id: fix_type
         type: u1
         enum: gnss_data_heading_fix_type
         doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
       - id: valid_flags
         type: gnss_data_heading_flags
-        doc: Which values are valid.
+        doc: Which parts of the heading are valid.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
     doc: Satellite status. Direction to one satellite, and its health.
@@ -8022,7 +8022,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8035,7 +8035,7 @@ types:
         doc: "Satellite within the constellation. Valid if `valid_flags.satellite_id` is set."
       - id: elevation
         type: f4
-        doc: "Elevation, as seen from the rover. Unit: deg. Valid if `valid_flags.elevation` is set."
+        doc: "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
       - id: azimuth
         type: f4
         doc: "Azimuth, as seen from the rover. Unit: deg. Valid if `valid_flags.azimuth` is set."
@@ -8044,7 +8044,7 @@ types:
         doc: "Whether the satellite is healthy. Valid if `valid_flags.health` is set."
       - id: valid_flags
         type: gnss_data_satellite_status_flags
-        doc: Which values are valid.
+        doc: Which parts of the satellite status are valid.
   gnss_data_raw:
     -orig-id: gnss_data.raw
     doc: Raw. Raw observation of one signal of one satellite.
@@ -8057,7 +8057,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8096,26 +8096,26 @@ types:
         doc: "Doppler shift. Unit: Hz. Valid if `valid_flags.doppler` is set."
       - id: range_uncertainty
         type: f4
-        doc: "Uncertainty of the pseudorange. Unit: m. Valid if `valid_flags.range_uncertainty` is set."
+        doc: "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if `valid_flags.range_uncertainty` is set."
       - id: phase_uncertainty
         type: f4
-        doc: "Uncertainty of the carrier phase. Unit: cycle. Valid if `valid_flags.carrier_phase_uncertainty` is set."
+        doc: "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if `valid_flags.carrier_phase_uncertainty` is set."
       - id: doppler_uncertainty
         type: f4
-        doc: "Uncertainty of the Doppler shift. Unit: Hz. Valid if `valid_flags.doppler_uncertainty` is set."
+        doc: "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if `valid_flags.doppler_uncertainty` is set."
       - id: lock_time
         type: f4
         doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
-        doc: Which values are valid.
+        doc: Which parts of the observation are valid.
   gnss_data_base_station_info:
     -orig-id: gnss_data.base_station_info
     doc: Base station info. The base station of the corrections, from an RTCM message 1005 or 1006.
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week at which the message was received. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8140,7 +8140,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8182,7 +8182,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8288,7 +8288,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8368,7 +8368,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8474,7 +8474,7 @@ types:
         doc: How many of these fields the epoch has.
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week."
@@ -8574,7 +8574,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8590,14 +8590,14 @@ types:
         doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
       - id: valid_flags
         type: gnss_data_gps_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   gnss_data_galileo_iono_correction:
     -orig-id: gnss_data.galileo_iono_correction
     doc: Galileo ionospheric correction. Model of the ionosphere that Galileo broadcasts.
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8611,14 +8611,14 @@ types:
         doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
       - id: valid_flags
         type: gnss_data_galileo_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   gnss_data_beidou_iono_correction:
     -orig-id: gnss_data.beidou_iono_correction
     doc: BeiDou ionospheric correction. Model of the ionosphere that BeiDou broadcasts.
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -8639,23 +8639,23 @@ types:
         doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set."
       - id: valid_flags
         type: gnss_data_beidou_iono_correction_flags
-        doc: Which values are valid.
+        doc: Which parts of the model are valid.
   filter_data_llh_position:
     -orig-id: filter_data.llh_position
     doc: LLH position. Estimated position.
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_velocity:
     -orig-id: filter_data.ned_velocity
     doc: NED velocity. Estimated velocity.
@@ -8671,7 +8671,7 @@ types:
         doc: "Velocity down. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_attitude_quaternion:
     -orig-id: filter_data.attitude_quaternion
     doc: Attitude quaternion. Estimated orientation of the vehicle frame in the NED frame as a quaternion.
@@ -8681,7 +8681,7 @@ types:
         doc: "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_attitude_dcm:
     -orig-id: filter_data.attitude_dcm
     doc: Attitude direction cosine matrix. Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
@@ -8691,121 +8691,121 @@ types:
         doc: "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_euler_angles:
     -orig-id: filter_data.euler_angles
     doc: Euler angles. Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     seq:
       - id: roll
         type: f4
-        doc: "Roll. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Pitch. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Yaw. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_bias:
     -orig-id: filter_data.gyro_bias
     doc: Gyroscope bias. Estimated bias of the gyroscope.
     seq:
       - id: bias
         type: vector3f
-        doc: "Bias. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_bias:
     -orig-id: filter_data.accel_bias
     doc: Accelerometer bias. Estimated bias of the accelerometer.
     seq:
       - id: bias
         type: vector3f
-        doc: "Bias. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_llh_position_uncertainty:
     -orig-id: filter_data.llh_position_uncertainty
     doc: Position uncertainty. Standard deviation of the estimated position, in the NED frame.
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_velocity_uncertainty:
     -orig-id: filter_data.ned_velocity_uncertainty
     doc: NED velocity uncertainty. Standard deviation of the estimated velocity.
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m/s. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_euler_angles_uncertainty:
     -orig-id: filter_data.euler_angles_uncertainty
     doc: Euler angles uncertainty. Standard deviation of the estimated Euler angles.
     seq:
       - id: roll
         type: f4
-        doc: "Standard deviation of roll. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Standard deviation of pitch. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Standard deviation of yaw. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_bias_uncertainty:
     -orig-id: filter_data.gyro_bias_uncertainty
     doc: Gyroscope bias uncertainty. Standard deviation of the estimated gyroscope bias.
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_bias_uncertainty:
     -orig-id: filter_data.accel_bias_uncertainty
     doc: Accelerometer bias uncertainty. Standard deviation of the estimated accelerometer bias.
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_linear_accel:
     -orig-id: filter_data.linear_accel
-    doc: Linear acceleration. Compensated acceleration minus the estimated gravity.
+    doc: Linear acceleration. Rate of change of the velocity, with the effect of gravity removed.
     seq:
       - id: accel
         type: vector3f
-        doc: "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_comp_angular_rate:
     -orig-id: filter_data.comp_angular_rate
     doc: Compensated angular rate. Angular rate without the estimated bias.
@@ -8815,17 +8815,17 @@ types:
         doc: "Angular rate. Unit: rad/s. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_wgs84_gravity_magnitude:
     -orig-id: filter_data.wgs84_gravity_magnitude
     doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model.
     seq:
       - id: gravity_magnitude
         type: f4
-        doc: "Magnitude of gravity. Unit: m/s^2. Valid if `valid_flags.valid` is set."
+        doc: "Magnitude of gravity. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_status:
     -orig-id: filter_data.status
     doc: Filter status. State, dynamics mode, condition and warnings of the filter.
@@ -8845,33 +8845,33 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.valid` is set."
       - id: week_number
         type: u2
         doc: "GPS week, counted from 1980. Unit: week. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_quaternion_attitude_uncertainty:
     -orig-id: filter_data.quaternion_attitude_uncertainty
     doc: Quaternion uncertainty. Standard deviation of the elements of the estimated attitude quaternion.
     seq:
       - id: q
         type: quatf
-        doc: "Standard deviation per element. Unit: 1. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per element. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gravity_vector:
     -orig-id: filter_data.gravity_vector
     doc: Gravity vector. Estimated gravity.
     seq:
       - id: gravity
         type: vector3f
-        doc: "Gravity. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Gravity, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_heading_update_state:
     -orig-id: filter_data.heading_update_state
     doc: Heading update source state. The last heading that updated the filter and where it came from.
@@ -8881,35 +8881,35 @@ types:
         doc: "Heading of the sensor frame relative to true north. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation of the heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: source
         type: filter_data_heading_source_flags
         doc: Sources of the heading.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_magnetic_model:
     -orig-id: filter_data.magnetic_model
     doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model.
     seq:
       - id: intensity_north
         type: f4
-        doc: "Intensity north. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Northward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_east
         type: f4
-        doc: "Intensity east. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Eastward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_down
         type: f4
-        doc: "Intensity down. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Downward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
-        doc: "Inclination. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle of the field below the horizontal plane. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: declination
         type: f4
-        doc: "Declination. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle from true north to magnetic north. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_scale_factor:
     -orig-id: filter_data.gyro_scale_factor
     doc: Gyroscope scale factor. Estimated scale factor of the gyroscope.
@@ -8919,7 +8919,7 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_scale_factor:
     -orig-id: filter_data.accel_scale_factor
     doc: Accelerometer scale factor. Estimated scale factor of the accelerometer.
@@ -8929,27 +8929,27 @@ types:
         doc: "Scale factor per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gyro_scale_factor_uncertainty:
     -orig-id: filter_data.gyro_scale_factor_uncertainty
     doc: Gyroscope scale factor uncertainty. Standard deviation of the estimated scale factor of the gyroscope.
     seq:
       - id: scale_factor_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_accel_scale_factor_uncertainty:
     -orig-id: filter_data.accel_scale_factor_uncertainty
     doc: Accelerometer scale factor uncertainty. Standard deviation of the estimated scale factor of the accelerometer.
     seq:
       - id: scale_factor_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_bias:
     -orig-id: filter_data.mag_bias
     doc: Magnetometer bias. Estimated bias of the magnetometer.
@@ -8959,17 +8959,17 @@ types:
         doc: "Bias. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_bias_uncertainty:
     -orig-id: filter_data.mag_bias_uncertainty
     doc: Magnetometer bias uncertainty. Standard deviation of the estimated bias of the magnetometer.
     seq:
       - id: bias_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
     doc: Compensated acceleration. Acceleration without the estimated bias; it includes gravity.
@@ -8979,7 +8979,7 @@ types:
         doc: "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_standard_atmosphere:
     -orig-id: filter_data.standard_atmosphere
     doc: Standard atmosphere. US Standard Atmosphere of 1976 at the altitude of the device.
@@ -8989,7 +8989,7 @@ types:
         doc: "Altitude used in the model. Unit: m. Valid if `valid_flags.valid` is set."
       - id: geopotential_altitude
         type: f4
-        doc: "Geopotential altitude. Unit: m. Valid if `valid_flags.valid` is set."
+        doc: "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if `valid_flags.valid` is set."
       - id: standard_temperature
         type: f4
         doc: "Temperature. Unit: degC. Valid if `valid_flags.valid` is set."
@@ -9001,7 +9001,7 @@ types:
         doc: "Density. Unit: kg/m^3. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_pressure_altitude:
     -orig-id: filter_data.pressure_altitude
     doc: Pressure altitude. Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
@@ -9011,7 +9011,7 @@ types:
         doc: "Altitude. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
     doc: Density altitude. The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
@@ -9021,7 +9021,7 @@ types:
         doc: "Altitude. Unit: m. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_offset:
     -orig-id: filter_data.mag_offset
     doc: Magnetometer offset. Estimated hard iron offset of the magnetometer.
@@ -9031,7 +9031,7 @@ types:
         doc: "Hard iron offset. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_matrix:
     -orig-id: filter_data.mag_matrix
     doc: Magnetometer matrix. Estimated soft iron matrix of the magnetometer.
@@ -9041,27 +9041,27 @@ types:
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_offset_uncertainty:
     -orig-id: filter_data.mag_offset_uncertainty
     doc: Magnetometer offset uncertainty. Standard deviation of the estimated hard iron offset.
     seq:
       - id: hard_iron_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_matrix_uncertainty:
     -orig-id: filter_data.mag_matrix_uncertainty
     doc: Magnetometer matrix uncertainty. Standard deviation of the estimated soft iron matrix.
     seq:
       - id: soft_iron_uncertainty
         type: matrix3f
-        doc: "Standard deviation per element. Unit: 1. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_covariance_matrix:
     -orig-id: filter_data.mag_covariance_matrix
     doc: Magnetometer covariance matrix. Covariance of the magnetometer measurement.
@@ -9071,7 +9071,7 @@ types:
         doc: "Covariance matrix in row-major order. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_mag_residual_vector:
     -orig-id: filter_data.mag_residual_vector
     doc: Magnetometer residual vector. Residual of the magnetometer measurement.
@@ -9081,7 +9081,7 @@ types:
         doc: "Residual. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_antenna_offset_correction:
     -orig-id: filter_data.antenna_offset_correction
     doc: Antenna offset correction. Estimated error of the offset of the GNSS antenna.
@@ -9091,17 +9091,17 @@ types:
         doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.antenna_offset_correction_uncertainty
     doc: Antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of the GNSS antenna.
     seq:
       - id: offset_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_clock_correction:
     -orig-id: filter_data.clock_correction
     doc: Clock correction. Estimated clock error of one GNSS receiver.
@@ -9117,7 +9117,7 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_clock_correction_uncertainty:
     -orig-id: filter_data.clock_correction_uncertainty
     doc: Clock correction uncertainty. Standard deviation of the estimated clock error of one GNSS receiver.
@@ -9127,13 +9127,13 @@ types:
         doc: "Receiver, counted from 1. Range: at least 1."
       - id: bias_uncertainty
         type: f4
-        doc: "Standard deviation of the bias. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: bias_drift_uncertainty
         type: f4
-        doc: "Standard deviation of the drift. Unit: s/s. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_multi_antenna_offset_correction:
     -orig-id: filter_data.multi_antenna_offset_correction
     doc: Multi-antenna offset correction. Estimated error of the offset of one GNSS antenna.
@@ -9146,7 +9146,7 @@ types:
         doc: "Correction of the offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_multi_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.multi_antenna_offset_correction_uncertainty
     doc: Multi-antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of one GNSS antenna.
@@ -9156,60 +9156,60 @@ types:
         doc: Receiver that the antenna belongs to.
       - id: offset_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_position_uncertainty:
     -orig-id: filter_data.ecef_position_uncertainty
     doc: ECEF position uncertainty. Standard deviation of the estimated position.
     seq:
       - id: position_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_velocity_uncertainty:
     -orig-id: filter_data.ecef_velocity_uncertainty
     doc: ECEF velocity uncertainty. Standard deviation of the estimated velocity.
     seq:
       - id: velocity_uncertainty
         type: vector3f
-        doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_position:
     -orig-id: filter_data.ecef_position
     doc: ECEF position. Estimated position.
     seq:
       - id: position
         type: vector3d
-        doc: "Position. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Position of the reference point. Unit: m. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ecef_velocity:
     -orig-id: filter_data.ecef_velocity
     doc: ECEF velocity. Estimated velocity.
     seq:
       - id: velocity
         type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
+        doc: "Velocity of the reference point. Unit: m/s. Frame: ecef. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_ned_relative_position:
     -orig-id: filter_data.ned_relative_position
     doc: "NED relative position. Estimated position relative to the point that `filter_relative_position_config` sets."
     seq:
       - id: relative_position
         type: ned3d
-        doc: "Relative position. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "From the reference point to the device. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gnss_position_aiding_status:
     -orig-id: filter_data.gnss_position_aiding_status
     doc: GNSS position aiding status. How the filter uses the position measurements of one GNSS receiver.
@@ -9219,7 +9219,7 @@ types:
         doc: Number of the receiver.
       - id: tow
         type: f4
-        doc: "GPS time of week of the last measurement. Unit: s."
+        doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
         doc: How the measurements are used.
@@ -9234,7 +9234,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
         doc: How the measurements are used.
@@ -9249,7 +9249,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: type
         type: u1
         enum: filter_data_heading_aiding_type
@@ -9265,7 +9265,7 @@ types:
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week at the end of the interval. Unit: s."
+        doc: "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800."
       - id: source
         type: u1
         doc: Number of the source of the measurement.
@@ -9285,30 +9285,30 @@ types:
         doc: "Relative error. Unit: 1. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_odometer_scale_factor_error_uncertainty:
     -orig-id: filter_data.odometer_scale_factor_error_uncertainty
     doc: Odometer scale factor error uncertainty. Uncertainty of the estimated error of the odometer scale factor.
     seq:
       - id: scale_factor_error_uncertainty
         type: f4
-        doc: "Uncertainty of the relative error. Unit: 1. Valid if `valid_flags.valid` is set."
+        doc: "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_gnss_dual_antenna_status:
     -orig-id: filter_data.gnss_dual_antenna_status
     doc: GNSS dual antenna status. Heading that two GNSS antennas give.
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last measurement. Unit: s. Valid if `valid_flags.valid` is set."
+        doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
-        doc: "Heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Heading that follows from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: fix_type
         type: u1
         enum: filter_data_dual_antenna_fix_type
@@ -9318,7 +9318,7 @@ types:
         doc: Inputs available to the solution.
       - id: valid_flags
         type: filter_data_valid_flags
-        doc: Validity of the values.
+        doc: Whether the values of a field may be used.
   filter_data_aiding_frame_config_error:
     -orig-id: filter_data.aiding_frame_config_error
     doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines; it is corrected for."
@@ -9341,10 +9341,10 @@ types:
         doc: Number of the frame.
       - id: translation_uncertainty
         type: vector3f
-        doc: "Uncertainty of the translation. Unit: m."
+        doc: "Uncertainty of the translation. Unit: m. Range: at least 0."
       - id: attitude_uncertainty
         type: vector3f
-        doc: "Uncertainty of the rotation about each axis. Unit: rad."
+        doc: "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0."
   displacement_data_displacement_raw:
     -orig-id: displacement_data.displacement_raw
     doc: Raw displacement. Displacement in counts of the converter.
@@ -9422,7 +9422,7 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Valid if `valid_flags.tow` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
       - id: week_number
         type: u2
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
@@ -12832,10 +12832,10 @@ enums:
       doc: On with reduced power.
     3:
       id: sleep
-      doc: Asleep.
+      doc: Very low power; starts quickly.
     4:
       id: "off"
-      doc: Off.
+      doc: Off or in deep sleep.
   mip_3dm_device_status_selector:
     1:
       id: basic
@@ -13076,7 +13076,7 @@ enums:
   gnss_receiver_reset_type:
     1:
       id: hardware
-      doc: Resets the receiver by its reset line.
+      doc: Resets the hardware of the receiver.
     2:
       id: cold
       doc: Restarts all software of the receiver.

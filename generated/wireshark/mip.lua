@@ -379,12 +379,12 @@ F["gnss_data.llh_position_flags"] = {
   { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
   { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Height above the ellipsoid." },
   { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height above mean sea level." },
-  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Horizontal accuracy." },
-  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Vertical accuracy." },
+  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`horizontal_accuracy` is valid." },
+  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`vertical_accuracy` is valid." },
   { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
 }
 F["gnss_data.ecef_position_flags"] = {
-  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Position." },
+  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`position` is valid." },
   { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the position." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
@@ -392,13 +392,13 @@ F["gnss_data.ned_velocity_flags"] = {
   { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity vector." },
   { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Speed in space." },
   { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Speed over ground." },
-  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Heading." },
+  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`heading` is valid." },
   { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Accuracy of the speed." },
   { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Accuracy of the heading." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
 F["gnss_data.ecef_velocity_flags"] = {
-  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity." },
+  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`velocity` is valid." },
   { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the velocity." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
@@ -419,12 +419,12 @@ F["gnss_data.utc_time_flags"] = {
 }
 F["gnss_data.gps_time_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
 }
 F["gnss_data.clock_info_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
   { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
@@ -435,7 +435,7 @@ F["gnss_data.fix_flags"] = {
 F["gnss_data.fix_info_flags"] = {
   { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Type of the fix." },
   { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of satellites." },
-  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Fix flags." },
+  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`fix_flags` is valid." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.sv_flags"] = {
@@ -443,11 +443,11 @@ F["gnss_data.sv_flags"] = {
   { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "It is healthy." },
 }
 F["gnss_data.sv_info_flags"] = {
-  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Channel." },
+  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`channel` is valid." },
   { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Satellite." },
   { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Carrier to noise density ratio." },
-  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Azimuth." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
+  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`azimuth` is valid." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
   { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "State of the satellite." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
@@ -461,7 +461,7 @@ F["gnss_data.hardware_status_flags"] = {
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.dgps_info_flags"] = {
-  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Age." },
+  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`age` is valid." },
   { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of the base station." },
   { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "State of the base station." },
   { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Number of channels." },
@@ -469,20 +469,20 @@ F["gnss_data.dgps_info_flags"] = {
 }
 F["gnss_data.dgps_channel_flags"] = {
   { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite." },
-  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Age." },
+  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`age` is valid." },
   { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the range." },
   { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Correction of the range rate." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.clock_info_2_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`bias` is valid." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`drift` is valid." },
   { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy of the bias." },
   { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Accuracy of the drift." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.gps_leap_seconds_flags"] = {
-  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Leap seconds." },
+  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`leap_seconds` is valid." },
 }
 E["gnss_data.sbas_system"] = { [0] = "unknown", [1] = "waas", [2] = "egnos", [3] = "msas", [4] = "gagan", }
 F["gnss_data.sbas_status"] = {
@@ -493,7 +493,7 @@ F["gnss_data.sbas_status"] = {
 }
 F["gnss_data.sbas_info_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "System." },
   { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
   { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Number of corrections." },
@@ -518,39 +518,39 @@ F["gnss_data.rf_error_detection_flags"] = {
 }
 E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
 F["gnss_data.heading_flags"] = {
-  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Heading." },
+  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`heading` is valid." },
   { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Uncertainty of the heading." },
   { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Kind of the fix." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.satellite_status_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Constellation." },
   { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
-  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Azimuth." },
-  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Health." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "`elevation` is valid." },
+  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`azimuth` is valid." },
+  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "`health` is valid." },
   { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
 }
 E["gnss_data.signal_quality"] = { [0] = "none", [1] = "searching", [2] = "acquired", [3] = "unusable", [4] = "time_locked", [5] = "fully_locked", }
 F["gnss_data.raw_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Receiver or reference station." },
-  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Tracking channel." },
+  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`tracking_channel` is valid." },
   { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Constellation." },
   { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Satellite." },
   { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Signal." },
-  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Signal strength." },
+  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "`signal_strength` is valid." },
   { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Signal quality." },
-  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Pseudorange." },
-  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Carrier phase." },
+  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "`pseudorange` is valid." },
+  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "`carrier_phase` is valid." },
   { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Doppler shift." },
   { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Uncertainty of the pseudorange." },
   { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "Uncertainty of the carrier phase." },
   { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "Uncertainty of the Doppler shift." },
-  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "Lock time." },
+  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "`lock_time` is valid." },
   { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All of them." },
 }
 F["gnss_data.base_station_indicators"] = {
@@ -566,11 +566,11 @@ F["gnss_data.base_station_indicators"] = {
 }
 F["gnss_data.base_station_info_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Position." },
   { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Antenna height." },
   { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Station." },
-  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Indicators." },
+  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "`indicators` is valid." },
   { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
 }
 F["gnss_data.rtk_epoch_status"] = {
@@ -586,8 +586,8 @@ F["gnss_data.rtk_epoch_status"] = {
 }
 F["gnss_data.rtk_corrections_status_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Epoch status." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
+  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`epoch_status` is valid." },
   { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Status of the dongle." },
   { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Latency of GPS corrections." },
   { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Latency of GLONASS corrections." },
@@ -608,21 +608,21 @@ F["gnss_data.glonass_ephemeris_flags"] = {
 }
 F["gnss_data.gps_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
   { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.galileo_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients." },
   { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Storm flags." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
 }
 F["gnss_data.beidou_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`week_number` is valid." },
   { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
   { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
   { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Further coefficients." },
@@ -1122,9 +1122,9 @@ field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", 
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
 field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
     doc = "Where the device takes its pulse per second from.", least = 1,
@@ -1320,7 +1320,7 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
     doc = "Low-pass filter of one quantity of the sensor data.", least = 1,
@@ -1834,9 +1834,9 @@ field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "r
     doc = "", least = 14,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." },
-      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." },
+      { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS Time Assistance response" }, })
 field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
     doc = "", least = 1,
@@ -1940,7 +1940,7 @@ field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "respon
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." },
       { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
 field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
     doc = "", least = 2,
@@ -1976,15 +1976,15 @@ field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command
     doc = "Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
 field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
     doc = "Gives the filter its initial heading; pitch and roll come from the accelerometers.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
 field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
     doc = "Initializes the attitude of the filter with that of the complementary filter.", least = 4,
@@ -2045,20 +2045,20 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
     doc = "One measurement of position and velocity by a GNSS receiver of the user.", least = 70,
     always = 8,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
 field({ descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
@@ -2118,9 +2118,9 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
     doc = "Gives the filter one measurement of the heading of the sensor frame with its GPS time.", least = 19,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
@@ -2155,9 +2155,9 @@ field({ descriptor = 0x26, name = "filter.reference_position", role = "command",
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
     doc = "Moves what the automatic magnetometer calibration has found into the fixed calibration.", least = 1,
@@ -2224,9 +2224,9 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement", title = "Gravity magnitude error adaptive measurement" }, })
 field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
@@ -2237,9 +2237,9 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement", title = "Magnetometer magnitude error adaptive measurement" }, })
 field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
@@ -2249,8 +2249,8 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
 field({ descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
     doc = "What aids the altitude in addition to GNSS.", least = 1,
@@ -2366,9 +2366,9 @@ field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", 
     always = 4,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed, negative in reverse. Unit: m/s. Frame: vehicle." },
-      { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s." },
+      { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
     doc = "Position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
@@ -2495,9 +2495,9 @@ field({ descriptor = 0x90, name = "filter.reference_position_response", role = "
     always = 4,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180." },
-      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
+      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." },
     } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
 field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
     doc = "", least = 12,
@@ -2556,9 +2556,9 @@ field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." },
-      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." },
+      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement_response", title = "Gravity magnitude error adaptive measurement response" }, })
 field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measurement_response", role = "response", title = "Magnetometer magnitude error adaptive measurement response",
     doc = "", least = 25,
@@ -2568,9 +2568,9 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." },
-      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." },
+      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement_response", title = "Magnetometer magnitude error adaptive measurement response" }, })
 field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measurement_response", role = "response", title = "Magnetometer dip angle error adaptive measurement response",
     doc = "", least = 17,
@@ -2579,8 +2579,8 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
 field({ descriptor = 0xB7, name = "filter.altitude_aiding_response", role = "response", title = "Altitude aiding response",
     doc = "", least = 1,
@@ -2956,7 +2956,7 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
@@ -2966,8 +2966,8 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.latitude is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.longitude is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
@@ -2979,7 +2979,7 @@ field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "comma
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m. Range: at least 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
@@ -2988,7 +2988,7 @@ field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
@@ -2998,7 +2998,7 @@ field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
@@ -3008,7 +3008,7 @@ field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command"
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
@@ -3018,7 +3018,7 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
@@ -3028,7 +3028,7 @@ field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", tit
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
@@ -3113,13 +3113,13 @@ field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = 
     doc = "Measured acceleration, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Acceleration. Unit: g. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_accel", title = "Scaled accel" }, })
 field({ descriptor = 0x05, name = "sensor.scaled_gyro", role = "data", title = "Scaled gyro",
     doc = "Measured angular rate, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate about each axis. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_gyro", title = "Scaled gyro" }, })
 field({ descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "Scaled mag",
     doc = "Measured magnetic field, temperature compensated.", least = 12,
@@ -3131,25 +3131,25 @@ field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "
     doc = "Time integral of the angular rate over the period that the message format sets.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
 field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
     doc = "Time integral of the acceleration over the period that the message format sets.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_velocity", title = "Delta velocity" }, })
 field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
     rows = {
-      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_orientation_matrix", title = "Complementary filter orientation matrix" }, })
 field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
 field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
     doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
@@ -3161,9 +3161,9 @@ field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", tit
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
 field({ descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
     doc = "Raw readings of four temperature sensors.", least = 8,
@@ -3202,13 +3202,13 @@ field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Co
     doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
 field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "GPS time of the sensor data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
     } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
@@ -3218,7 +3218,7 @@ field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data"
     rows = {
       { kind = "scalar", name = "min_temperature", type = "float", size = 4, units = {"degC", }, doc = "Lowest temperature. Unit: degC." },
       { kind = "scalar", name = "max_temperature", type = "float", size = 4, units = {"degC", }, doc = "Highest temperature. Unit: degC." },
-      { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean temperature. Unit: degC." },
+      { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean of the temperatures inside the device. Unit: degC." },
     } }, { { set = 0x80, name = "sensor.temperature_statistics", title = "Temperature statistics" }, })
 field({ descriptor = 0x16, name = "sensor.raw_pressure", role = "data", title = "Raw pressure",
     doc = "Raw ambient pressure in counts of the sensor, temperature compensated.", least = 4,
@@ -3245,61 +3245,61 @@ field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odo
     always = 3,
     rows = {
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Valid if valid_flags.odometer is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Whether the values are valid." },
     } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
 field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
-      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Valid if valid_flags.horizontal_accuracy is set." },
-      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Vertical accuracy. Unit: m. Valid if valid_flags.vertical_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
+      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which parts of the position are valid." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
     always = 3,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Valid if valid_flags.position_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which values are valid." },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which parts of the position are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
-      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Valid if valid_flags.speed_accuracy is set." },
-      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Valid if valid_flags.heading_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
+      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
+      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
     always = 3,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Valid if valid_flags.velocity_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which values are valid." },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
     always = 8,
     rows = {
-      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Valid if valid_flags.gdop is set." },
-      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Valid if valid_flags.pdop is set." },
-      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Valid if valid_flags.hdop is set." },
-      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Valid if valid_flags.vdop is set." },
-      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Valid if valid_flags.tdop is set." },
-      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Valid if valid_flags.ndop is set." },
-      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Valid if valid_flags.edop is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Range: at least 0. Valid if valid_flags.gdop is set." },
+      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Range: at least 0. Valid if valid_flags.pdop is set." },
+      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Range: at least 0. Valid if valid_flags.hdop is set." },
+      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Range: at least 0. Valid if valid_flags.vdop is set." },
+      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
+      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
+      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which dilutions of precision are valid." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time as the receiver knows it.", least = 13,
@@ -3318,9 +3318,9 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
     doc = "GPS time as the receiver knows it.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which parts of the time are valid." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
@@ -3328,8 +3328,8 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Valid if valid_flags.accuracy_estimate is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix and what it is based on.", least = 6,
@@ -3338,7 +3338,7 @@ field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Type of the fix. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
       { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which parts of the fix information are valid." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "One satellite that is tracked.", least = 12,
@@ -3347,10 +3347,10 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
-      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Azimuth. Unit: deg. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Elevation. Unit: deg. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
+      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which parts of the satellite info are valid." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
 field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
@@ -3359,7 +3359,7 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
       { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "State of the receiver. Valid if valid_flags.sensor_state is set." },
       { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "State of the antenna. Valid if valid_flags.antenna_state is set." },
       { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which parts of the hardware status are valid." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
@@ -3369,7 +3369,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
     doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
@@ -3379,7 +3379,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
@@ -3389,7 +3389,7 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m. Valid if valid_flags.range_correction is set." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which parts of a differential correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
@@ -3397,9 +3397,9 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Valid if valid_flags.bias_accuracy is set." },
-      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Valid if valid_flags.drift_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
+      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
@@ -3412,13 +3412,13 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
     doc = "Status of the satellite based augmentation.", least = 16,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_data.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set." },
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
       { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which parts of the SBAS status are valid." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
     doc = "SBAS correction for one satellite.", least = 25,
@@ -3426,14 +3426,14 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which parts of an SBAS correction are valid." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
@@ -3444,7 +3444,7 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which parts of the detection are valid." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
 field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
     doc = "Heading that the receiver computes from its antennas.", least = 11,
@@ -3452,9 +3452,9 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
     plain = true,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Valid if valid_flags.uncertainty is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which parts of the heading are valid." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
@@ -3462,14 +3462,14 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "Whether the satellite is healthy. Valid if valid_flags.health is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which parts of the satellite status are valid." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
@@ -3477,7 +3477,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set." },
       { kind = "scalar", name = "tracking_channel", type = "u8", size = 1, doc = "Channel that tracks the satellite. Valid if valid_flags.tracking_channel is set." },
@@ -3489,17 +3489,17 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Pseudorange. Unit: m. Valid if valid_flags.pseudorange is set." },
       { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
-      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Valid if valid_flags.range_uncertainty is set." },
-      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase_uncertainty is set." },
-      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Valid if valid_flags.doppler_uncertainty is set." },
+      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set." },
+      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
+      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if valid_flags.lock_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which parts of the observation are valid." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the marker that was surveyed. Unit: m. Valid if valid_flags.height is set." },
@@ -3511,7 +3511,7 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
     doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
       { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
@@ -3528,7 +3528,7 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3567,7 +3567,7 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "frequency_number", type = "s8", size = 1, doc = "GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris is set." },
@@ -3597,7 +3597,7 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3636,7 +3636,7 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
@@ -3673,149 +3673,149 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
     doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which values are valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which parts of the model are valid." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
     doc = "Estimated position.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "Estimated velocity.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
     doc = "Estimated bias of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias", title = "Gyroscope bias" }, })
 field({ descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
     doc = "Estimated bias of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_bias", title = "Accelerometer bias" }, })
 field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
     doc = "Standard deviation of the estimated Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
 field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
     doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
 field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
     doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
-    doc = "Compensated acceleration minus the estimated gravity.", least = 14,
+    doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
     doc = "Angular rate without the estimated bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
     doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
@@ -3829,103 +3829,103 @@ field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title 
     doc = "GPS time of the filter data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
 field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
     doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
 field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
     doc = "The last heading that updated the filter and where it came from.", least = 12,
     always = 4,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
 field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
     doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
     always = 6,
     rows = {
-      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Intensity north. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Intensity east. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Intensity down. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Northward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Eastward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Downward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
     doc = "Estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor", title = "Gyroscope scale factor" }, })
 field({ descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
     doc = "Estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor", title = "Accelerometer scale factor" }, })
 field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
 field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
 field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
     doc = "Estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Bias. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
 field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
     doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
     doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
     doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
     always = 6,
     rows = {
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geopotential altitude. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Density. Unit: kg/m^3. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
     doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
@@ -3933,7 +3933,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     plain = true,
     rows = {
       { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
     doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
@@ -3941,63 +3941,63 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
     plain = true,
     rows = {
       { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
     doc = "Estimated hard iron offset of the magnetometer.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
     doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
 field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
     doc = "Standard deviation of the estimated hard iron offset.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
     doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
 field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
     doc = "Covariance of the magnetometer measurement.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
 field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Residual. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
     doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
 field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
     doc = "Estimated clock error of one GNSS receiver.", least = 11,
@@ -4006,16 +4006,16 @@ field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data",
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.clock_correction", title = "Clock correction" }, })
 field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
     doc = "Standard deviation of the estimated clock error of one GNSS receiver.", least = 11,
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
     doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
@@ -4023,57 +4023,57 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
     doc = "Standard deviation of the estimated position.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
     doc = "Standard deviation of the estimated velocity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
     doc = "Estimated position.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
     doc = "Estimated velocity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "From the reference point to the device. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
 field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
     doc = "How the filter uses the position measurements of one GNSS receiver.", least = 15,
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
@@ -4081,7 +4081,7 @@ field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", rol
     doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
@@ -4089,7 +4089,7 @@ field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "d
     doc = "The heading measurement that the filter used last.", least = 13,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.heading_aiding_type"], doc = "Source of the heading." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.heading_aiding_status", title = "Heading aiding status" }, })
@@ -4097,7 +4097,7 @@ field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role
     doc = "What the filter did with one kind of aiding measurement in the last measurement interval.", least = 7,
     always = 4,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800." },
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Number of the source of the measurement." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.aiding_measurement_type"], doc = "Kind of measurement." },
       { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "What the filter did with it." },
@@ -4107,25 +4107,25 @@ field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", rol
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error", title = "Odometer scale factor error" }, })
 field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
     doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
     doc = "Heading that two GNSS antennas give.", least = 17,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.gnss_dual_antenna_status", title = "GNSS dual antenna status" }, })
 field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
     doc = "Estimated error of a frame that aiding.frame_config defines; it is corrected for.", least = 29,
@@ -4140,8 +4140,8 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
 field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
     doc = "Displacement in counts of the converter.", least = 4,
@@ -4205,7 +4205,7 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
     doc = "External time of the data as GPS time of week and week number.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Which parts are valid." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })

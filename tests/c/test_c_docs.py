@@ -104,7 +104,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        facts = [x for x in describe.field(f, of) if x.topic not in ("perhaps", "refused")]  # those are in profiles.h
+        facts = [x for x in describe.field(f, of) if x.topic not in ("perhaps", "refused", "affected", "flags")]  # those are in profiles.h
         yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
         if of.devices_of(f, certain=False) and not of.devices_of(f):
             yield name, [UNSURE]
@@ -189,10 +189,11 @@ def test_what_is_compared_holds_all_topics() -> None:
     facts += [x for d in of.devices for x in describe.device(d, of)]
     facts += [x for t in of.all_types if isinstance(t, m.Bitfield) for b in t.bits for x in describe.bits(b, of)]
     assert {x.topic for x in facts} >= {
-        "advanced", "alias", "also", "case", "commands", "constant", "counts", "default", "deprecated",
-        "deprecation", "devices", "elements", "frame", "functions", "generation", "incomplete", "layout", "like",
-        "manual", "max_rate", "model_number", "note", "optional", "perhaps", "place", "range", "required", "reserved",
-        "responses", "sets", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
+        "advanced", "affected", "affects", "alias", "also", "case", "commands", "concerns", "constant", "counts",
+        "default", "deprecated", "deprecation", "devices", "elements", "flags", "frame", "functions", "generation",
+        "incomplete", "layout", "like", "manual", "max_rate", "may_affect", "model_number", "note", "optional",
+        "perhaps", "place", "range", "required", "reserved", "responses", "sets", "silent", "tag", "timeout",
+        "uncertain", "unit", "valid", "values", "variant", "when",
     }  # fmt: skip
 
 

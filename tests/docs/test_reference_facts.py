@@ -26,6 +26,9 @@ from reference import (
 )
 from support import model
 
+#: Facts about a field that have a line each.
+LISTED = ("affects", "may_affect", "affected", "flags", "note")
+
 #: Which column of the table of parameters has which facts.
 COLUMNS = {
     "required": "Required for", "optional": "Required for", "unit": "Unit", "frame": "Frame", "range": "Range",
@@ -45,15 +48,15 @@ def paragraphs(section: str) -> list[str]:
 
 
 def test_every_fact_of_a_field(manual: Manual) -> None:
-    """A heading, what it is, a paragraph of facts, notes; the functions and the answers are in the table of forms."""
+    """A heading, what it is, a paragraph of facts, relations, notes; functions and answers are in a table."""
     for f in manual.model.fields:
         first, what, *rest = paragraphs(manual.field(f))
         level = "###" if f.role == m.RESPONSE else "#"
         assert first == f"{level} {f.title} {number(f)}"
         assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
         facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
-        said = " ".join(sentences([x for x in facts if x.topic != "note"]))
-        notes = sentences(describe.topics(facts, "note"))
+        said = " ".join(sentences([x for x in facts if x.topic not in LISTED]))
+        notes = sentences(describe.topics(facts, *LISTED))
         wanted = [x for x in (said, "\n".join(f"- {n}" for n in notes)) if x]
         assert rest[: len(wanted)] == wanted, f.full_name
 

@@ -65,6 +65,9 @@ def test_every_set_has_its_page(manual: Manual) -> None:
         page, fields = manual.page(f"sets/{s.name}.md"), asked(s, manual.model)
         assert page.startswith(f"# {heading(s)}\n")
         assert prose(s.description, manual.model) in words(page)
+        assert [line for line in bullets(page.partition("\n## ")[0]) if "hanged by" in line] == [
+            seen(x.sentence) for x in describe.changed(s, manual.model)
+        ]
         assert ("\n## Contents\n" in page) == bool(fields)
         contents = table_with(page.partition("\n## Contents\n")[2], "Descriptor") if fields else []
         assert len(contents) == len(fields)
@@ -404,7 +407,8 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
         assert bullets(section)[:3] == listed, e.id
         title = next(x.title for x in of.protocol.manuals if x.id == e.manual)
         before = words(page[: page.index(f'"erratum.{e.id}"')])
-        assert re.findall(r"^## (.*)$", before, re.M)[-1] == title
+        wanted = f"Editorial: {title}" if e.severity == "editorial" else title
+        assert re.findall(r"^## (.*)$", before, re.M)[-1] == wanted
         for c in e.claims:
             if c.kind == "length":
                 f = of.field(c.subject)
@@ -433,6 +437,19 @@ def test_mean_motion_is_wrong_for_all_systems() -> None:
 
 
 def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:
-    rows = rows_of(manual.page("units.md"))
-    for word in (*manual.model.protocol.units, *manual.model.protocol.frames):
-        assert [word.symbol, word.title, prose(word.description, manual.model)] in rows
+    rows, of = rows_of(manual.page("units.md")), manual.model
+    for word in of.protocol.units:
+        assert [word.symbol, word.title, prose(word.description, of)] in rows
+    for word in of.protocol.frames:
+        axes = ", ".join(word.axes).replace("_", " ")
+        assert [word.symbol, word.title, axes, prose(word.origin, of), prose(word.description, of)] in rows
+        for c in word.conversions:
+            axes, values = ", ".join(c.axes).replace("_", " "), ", ".join(c.values)
+            assert [word.symbol, c.title, axes, values, prose(c.description, of)] in rows
+
+
+def test_vectors_become_those_of_other_software() -> None:
+    """As REP-103 has them: x forward and z up, in a world whose x points east."""
+    frames = {f.symbol: {c.name: c.values for c in f.conversions} for f in model("real").protocol.frames}
+    assert frames["vehicle"] == frames["sensor"] == {"rep_103": ("x", "-y", "-z")}
+    assert frames["ned"] == {"enu": ("y", "x", "-z")}

@@ -44,9 +44,21 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.capture_bias",
             {
                 "responses": "Answered by <tools.bias_vector>.",
+                "may_affect": "Probably changes <measurements.accel>.",
+                "flags": "Flagged by <sensor> of <model_a_faults>.",
                 "devices": A,
                 "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
                 "firmware": "On the <Model C>: firmware >= 1.0, < 1.1.",
+            },
+        ),
+        (
+            "tools.bias",
+            {
+                "functions": "Functions: <write>, <read>, <save>, <load> and <default>.",
+                "responses": "Answered by <tools.bias_vector>.",
+                "affects": "Changes <measurements.accel> and <measurements.gust>.",
+                "may_affect": "Probably changes <more (0x81)>.",
+                "devices": A,
             },
         ),
         (
@@ -87,6 +99,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "more.accel",
             {
                 "sets": "Occurs in <measurements (0x80)>, <more (0x81)> and <copy (0x92)>.",
+                "affected": "Probably changed by <tools.capture_bias>.",
+                "flags": "Flagged by <sensor> of <model_a_faults>.",
                 "max_rate": "Maximum rate: 100 Hz.",
                 "devices": "Supported by <Model A>, <Model B> and <Model C>.",
                 "firmware": "On the <Model C>: firmware > 1.0.07.",
@@ -105,6 +119,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "measurements.gust",
             {
                 "sets": "Occurs in <measurements (0x80)> and <copy (0x92)>.",
+                "affected": "Changed by <tools.bias>.",
                 "devices": "Not listed in any device profile.",
                 "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
                 "<shape>.",
@@ -165,6 +180,8 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "measurements.accel:scaled_accel",
             {
+                "at_rest": "At rest and level: x 0, z -1.",
+                "positive": "Positive: along <point>.",
                 "elements": "Elements: x, y, z.",
                 "unit": "Unit: g.",
                 "frame": "Frame: <sensor>.",

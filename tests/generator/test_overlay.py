@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
+from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
@@ -23,10 +24,17 @@ def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
     assert new == {"payload.lamp", "payload.lamp_response", "sensor.ambient_light"}
     light, lamp = after.field("sensor.ambient_light"), after.field("payload.lamp")
     assert light is not None and lamp is not None and light.sources == lamp.sources == ()
-    assert light.parameters[0].units == ("lx",) and light.parameters[1].element in after.types
+    assert light.parameters[0].units == ("lx",) and light.parameters[2].element in after.types
     assert [d.id for d in after.devices_of(light)] == [d.id for d in after.devices_of(lamp)] == ["3dm-cv7-gnss-ins"]
     said = [describe.say(x.sentence, lambda ref: ref.words) for x in describe.field(lamp, after)]
     assert "Supported by 3DM-CV7-GNSS/INS." in said
+    assert "Changes sensor.ambient_light and system_data (0xA0)." in said
+    assert after.changed_by(light) == (lamp,)
+    state = lamp.parameters[1]
+    assert lamp.title == "Lamp" and isinstance(state.element, m.Enum) and state.description == state.element.description
+    bend = light.parameters[1]
+    assert (bend.frame, bend.at_rest, bend.positive) == ("mast", (0, 0, None), "away from the mast")
+    assert [c.values for w in after.protocol.frames for c in w.conversions if w.symbol == "mast"] == [("-x", "-y", "z")]
 
 
 def test_sources_are_optional(tmp_path: Path) -> None:

@@ -208,7 +208,7 @@ def test_a_set_is_loaded_when_it_is_asked_for() -> None:
 
 def test_help_says_it() -> None:
     text = pydoc.plain(pydoc.render_doc(real.gnss_data.LlhPosition))
-    assert " |  latitude\n |      Latitude. Unit: deg. Frame: llh. " in text
+    assert " |  latitude\n |      Geodetic latitude. Unit: deg. Frame: llh. " in text
     assert "Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set." in " ".join(text.replace("|", "").split())
 
 
@@ -527,7 +527,7 @@ def test_the_program_of_the_readme_runs() -> None:
     lines = done.stdout.splitlines()
     assert lines[0] == "GNSS LLH position is sent by 3dm-cv7-gnss-ins 3dm-cv7-ins 3dm-gq7"
     assert lines[1].startswith(
-        "deg ('valid_flags.lat_lon',) - Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if "
+        "deg ('valid_flags.lat_lon',) - Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. "
     )
     assert lines[2].startswith("gnss_data.llh_position: latitude = 44.5 deg, ") and lines[3] == "True False"
     assert "'valid_flags': ['lat_lon']" in lines[4] and lines[5] == "sensor.temperature_statistics"

@@ -275,9 +275,10 @@ class FrameConfig(Command[R]):
     Where and how an external sensor is mounted on the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Changes `filter_data.AidingFrameConfigError`. Probably changes
+    `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
@@ -610,9 +611,9 @@ class EcefPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
-    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element
+    has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
@@ -713,13 +714,12 @@ class LlhPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhAxisFlags.LATITUDE` of
-    `valid_flags` is set.
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `LlhAxisFlags.LATITUDE` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhAxisFlags.LONGITUDE` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
     """
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of
@@ -811,7 +811,7 @@ class HeightAboveEllipsoid(Command[None]):
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
-    """Uncertainty of the height. Unit: m."""
+    """Uncertainty of the height. Unit: m. Range: at least 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -886,9 +886,9 @@ class EcefVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
-    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element
+    has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
@@ -972,9 +972,9 @@ class NedVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid
-    flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of `valid_flags`, down:
-    `AxisFlags.Z` of `valid_flags`.
+    """Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each
+    element has its own valid flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of
+    `valid_flags`, down: `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Ned3f
     """Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Range:
@@ -1061,9 +1061,9 @@ class BodyFrameVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
-    x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each
+    element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
@@ -1144,7 +1144,9 @@ class TrueHeading(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     heading: float
-    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. Positive: clockwise seen from above.
+    """
     uncertainty: float
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int
@@ -1220,9 +1222,9 @@ class MagneticField(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
-    flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    """Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
+    its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.

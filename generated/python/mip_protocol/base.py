@@ -926,12 +926,13 @@ class GpsTimeUpdate(Command[R]):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15
-    and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45. On the
-    3DM-CV7-GNSS/INS: `write` only.
+    `GpsTimeUpdateTowResponse`. Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`,
+    `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    On the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;

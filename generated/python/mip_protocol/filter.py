@@ -968,14 +968,12 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-    states; 0 to 360 is the other usual one.
-    """
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     altitude: float
-    """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
-    manual does not say; its glossary counts altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
+    or from sea level. The manual does not say; its glossary counts altitudes from sea level.
     """
 
     def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
@@ -1415,11 +1413,11 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     high_limit: float
     """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: m/s^2."""
+    """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: m/s^2."""
+    """Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0."""
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: m/s^2."""
+    """Smallest standard deviation. Unit: m/s^2. Range: at least 0."""
 
     def __init__(
         self,
@@ -1545,16 +1543,18 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    response.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+    The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    response.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
-    of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
+    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -1661,12 +1661,12 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     inferred from the quantity.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
-    rad is inferred from the quantity.
+    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
+    SDK gives m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
-    inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
+    m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -2624,11 +2624,15 @@ class Reset(Command[None]):
 
     Returns the filter to its initialization state.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changes filter_data (0x82). Flagged by `types.Gx5BuiltInTest.SOLUTION_FAULT` of
+    `types.Gx5BuiltInTest`, `types.Cv7BuiltInTest.FILTER_SOLUTION_FAULT` of `types.Cv7BuiltInTest`,
+    `filter_data.Gx5StatusFlags.RUN_NAN_IN_SOLUTION_WARNING` of `filter_data.Gx5StatusFlags` and
+    `filter_data.Cv7StatusFlags.SOLUTION_ERROR` of `filter_data.Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2662,9 +2666,11 @@ class SetInitialAttitude(Command[None]):
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
 
-    Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45,
-    3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+    3DM-GX5-45.
 
     Accepted only in the initialization state.
 
@@ -2682,11 +2688,16 @@ class SetInitialAttitude(Command[None]):
     _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("heading", "f", None))
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    right side down.
+    """
     pitch: float
-    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+    Positive: nose up.
+    """
     heading: float
     """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    Positive: clockwise seen from above.
     """
 
     def __init__(self, roll: float, pitch: float, heading: float) -> None:
@@ -2716,11 +2727,12 @@ class SetInitialHeading(Command[None]):
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2740,7 +2752,9 @@ class SetInitialHeading(Command[None]):
     _LAYOUT = (("heading", "f", None),)
 
     heading: float
-    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    Positive: clockwise seen from above.
+    """
 
     def __init__(self, heading: float) -> None:
         self.heading = heading
@@ -2765,10 +2779,11 @@ class SetInitialAttitudeFromImu(Command[None]):
 
     Initializes the attitude of the filter with that of the complementary filter.
 
-    Also called `set_initial_heading_from_mag`. Probably supported by 3DM-GX3-45. Known only from
-    the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The
-    name. The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
-    layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+    Also called `set_initial_heading_from_mag`. Changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Probably supported by 3DM-GX3-45. Known
+    only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
+    Uncertain: The name. The SDK calls it set initial heading from mag, and has no layout; the SDK
+    of 2014 has this layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
 
     - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
     - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -2808,8 +2823,8 @@ class Run(Command[None]):
 
     Starts a filter that is configured to wait for this command.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    Changes `filter_data.Status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2844,9 +2859,9 @@ class VehicleDynamicsMode(Command[R]):
     Adapts the filter to the motion that it has to expect.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by
-    3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+    `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
+    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2957,16 +2972,18 @@ class SensorToVehicleRotationEuler(Command[R]):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Uncertain: The formula. The text of the manual lacks it; it is the inverse of
-    that of `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
+    `SensorToVehicleRotationEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate`, `filter_data.GravityVector` and
+    `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Uncertain: The formula. The text of the manual lacks it; it is the inverse of that of
+    `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
-    It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter. The 3DM-CV7 uses the inverse instead:
-    `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
+    The 3DM-CV7 uses the inverse instead: `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor =
+    Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -3099,13 +3116,12 @@ class SensorToVehicleOffset(Command[R]):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
-    the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
-    frame, is inferred from the name.
+    `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
+    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the
+    sensor to the origin of the vehicle frame, is inferred from the name.
 
-    It shifts only `filter_data.LlhPosition`. The shift is constant. It does not follow the
-    attitude, as a lever arm would.
+    The shift is constant. It does not follow the attitude, as a lever arm would.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -3211,9 +3227,12 @@ class AntennaOffset(Command[R]):
     Position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
+    Flagged by `filter_data.Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of
+    `filter_data.Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
@@ -3322,10 +3341,16 @@ class EstimationControl(Command[R]):
     Which states the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    `EstimationControlResponse`. Changes `filter_data.GyroBias`, `filter_data.AccelBias`,
+    `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
+    `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`.
+    Probably changes `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`,
+    `filter_data.GyroScaleFactorUncertainty`, `filter_data.AccelScaleFactorUncertainty`,
+    `filter_data.AntennaOffsetCorrectionUncertainty`, `filter_data.MagOffsetUncertainty` and
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -3438,9 +3463,11 @@ class GnssSource(Command[R]):
     Which GNSS receiver aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45,
-    3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
+    `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     A change while the filter is running may return it to initialization until the new source
     provides data.
@@ -3601,23 +3628,25 @@ class ExternalGnssUpdate(Command[None]):
     }
 
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-    states; 0 to 360 is the other usual one.
-    """
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    """Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned."""
     position_uncertainty: types.Ned3f
-    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned."""
+    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. Range:
+    at least 0.
+    """
     velocity_uncertainty: types.Ned3f
-    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+    Range: at least 0.
+    """
 
     def __init__(
         self,
@@ -3714,7 +3743,7 @@ class ExternalHeadingUpdate(Command[None]):
 
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793.
+    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
@@ -3753,9 +3782,11 @@ class HeadingSource(Command[R]):
     Source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -3975,11 +4006,13 @@ class AccelNoise(Command[R]):
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
+    `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
+    `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -4086,11 +4119,13 @@ class GyroNoise(Command[R]):
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably changes `filter_data.EulerAnglesUncertainty`,
+    `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The factory values suit most laboratory conditions.
 
@@ -4198,9 +4233,10 @@ class AccelBiasModel(Command[R]):
     Parameters of the model by which the accelerometer bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -4324,11 +4360,12 @@ class GyroBiasModel(Command[R]):
     Parameters of the model by which the gyroscope bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -4453,9 +4490,11 @@ class AutoZupt(Command[R]):
     Lets the filter assume that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45,
-    3DM-GQ4-45, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
-    MicroStrain MIP SDK.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4599,12 +4638,12 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     )
 
     tow: float
-    """GPS time of week of the measurement. Unit: s."""
+    """GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793.
+    -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
     """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
@@ -4657,6 +4696,8 @@ class AutoAngularZupt(Command[R]):
     Lets the filter assume that the device is not rotating while its angular rate is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
@@ -4779,11 +4820,14 @@ class TareOrientation(Command[R]):
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-GX5-15: `write`,
-    `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load` and `default`
-    only.
+    Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
+    `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
+    `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+    On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
 
     Refused while the filter has no valid attitude.
 
@@ -4877,8 +4921,10 @@ class CommandedZupt(Command[None]):
 
     Tells the filter once that the device is at rest.
 
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
+    3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4906,6 +4952,8 @@ class CommandedAngularZupt(Command[None]):
 
     Tells the filter once that the device is not rotating.
 
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
     3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -4950,7 +4998,8 @@ class ReferencePosition(Command[R]):
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ReferencePositionResponse`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
+    `filter_data.MagneticModel`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25
     and 3DM-GX5-45.
 
@@ -4973,14 +5022,17 @@ class ReferencePosition(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for `write`."""
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+    `write`.
+    """
     longitude: float | None
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for `write`. Uncertain: The
-    range, which no source states; 0 to 360 is the other usual one.
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+    `write`.
     """
     altitude: float | None
-    """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or
-    from sea level. The manual does not say; its glossary counts altitudes from sea level.
+    """Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it
+    counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+    altitudes from sea level.
     """
 
     def __init__(
@@ -5105,9 +5157,10 @@ class MagCaptureAutoCalibration(Command[None]):
 
     Moves what the automatic magnetometer calibration has found into the fixed calibration.
 
-    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
-    Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25.
-    Known only from the MicroStrain MIP SDK.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Changes `sensor.ScaledMag`,
+    `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Probably supported
+    by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from
+    the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
     `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
@@ -5165,10 +5218,11 @@ class GravityNoise(Command[R]):
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
+    Probably changes `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-25.
 
     The factory values suit most laboratory conditions.
 
@@ -5275,7 +5329,8 @@ class PressureAltitudeNoise(Command[R]):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
+    `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
@@ -5381,7 +5436,8 @@ class HardIronOffsetNoise(Command[R]):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
+    `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
@@ -5489,7 +5545,8 @@ class SoftIronMatrixNoise(Command[R]):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
+    `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
+    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25,
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
@@ -5597,8 +5654,11 @@ class EnableMeasurements(Command[R]):
     Which inertial measurements the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25.
+    `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-25 and
+    3DM-GX5-25.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -5702,10 +5762,11 @@ class MagNoise(Command[R]):
     Standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the
-    noise is that of a measurement.
+    Probably changes `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain:
+    The SDK calls it process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -5808,11 +5869,12 @@ class MagneticDeclinationSource(Command[R]):
     Source of the local declination of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -5955,10 +6017,12 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AR.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -6014,11 +6078,11 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     high_limit: float | None
     """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None
-    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
+    """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional."""
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
+    """Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. Optional."""
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: m/s^2. Optional."""
+    """Smallest standard deviation. Unit: m/s^2. Range: at least 0. Optional."""
 
     def __init__(
         self,
@@ -6215,11 +6279,13 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
-    MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on
-    write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
+    the selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     determines the limits. High limits suit high dynamics but do not reject disturbances of the
@@ -6277,18 +6343,19 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
-    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-    the response.
+    """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    and gauss in the response.
     """
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-    the response.
+    """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+    and gauss in the response.
     """
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
+    The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+    in the response.
     """
 
     def __init__(
@@ -6482,9 +6549,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Probably supported by
-    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
+    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GQ4-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
+    the MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -6529,12 +6599,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     m/s^2; rad is inferred from the quantity.
     """
     high_limit_uncertainty: float | None
-    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
-    The SDK gives m/s^2; rad is inferred from the quantity.
+    """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`.
+    Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float | None
-    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
-    gives m/s^2; rad is inferred from the quantity.
+    """Smallest standard deviation. Unit: rad. Range: at least 0. Required for `write`. Uncertain:
+    The unit. The SDK gives m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -6685,8 +6755,9 @@ class AltitudeAiding(Command[R]):
     What aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25,
-    3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
+    Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
+    by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45
+    and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -6790,9 +6861,11 @@ class PitchRollAiding(Command[R]):
     What aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Refused
-    by 3DM-CV7-AR.
+    Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
+    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45 and 3DM-GX5-25. Refused by 3DM-CV7-AR.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -6894,8 +6967,9 @@ class MagneticInclinationSource(Command[R]):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Answered by `MagneticInclinationSourceResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -7019,8 +7093,9 @@ class MagneticMagnitudeSource(Command[R]):
     Source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`. Not listed in any device profile.
-    Known only from the MicroStrain MIP SDK.
+    `default`. Answered by `MagneticMagnitudeSourceResponse`. Probably changes
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Without a good magnitude source, keep automatic magnetometer calibration off.
     `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
@@ -7144,12 +7219,14 @@ class SensorToVehicleRotationDcm(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`. Not listed in any device profile. Known only from the
+    `SensorToVehicleRotationDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It rotates the
-    scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
-    orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. The device
     refuses a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the
     elements read back may differ slightly from those written.
 
@@ -7257,14 +7334,15 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    `SensorToVehicleRotationQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. It
-    rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter. The device normalizes it, so the elements read back may differ slightly from those
-    written.
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. The
+    device normalizes it, so the elements read back may differ slightly from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -7377,9 +7455,10 @@ class AidingMeasurementEnable(Command[R]):
     Enables or disables one source of aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
+    changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably
+    supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -7522,9 +7601,11 @@ class KinematicConstraint(Command[R]):
     What the filter may take for granted about the motion, in place of measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. Not listed in any device profile. Known only from the MicroStrain
-    MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
-    values in remarks.
+    `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
+    in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -7682,8 +7763,11 @@ class InitializationConfig(Command[R]):
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
+    `default`. Answered by `InitializationConfigResponse`. Probably changes `filter_data.Status`,
+    `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -7972,9 +8056,10 @@ class AdaptiveFilterOptions(Command[R]):
     How the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-GX5-45.
+    `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -8098,8 +8183,12 @@ class MultiAntennaOffset(Command[R]):
     Position of the antenna of one receiver on devices with several antennas.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
+    `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Flagged by
+    `filter_data.Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -8232,8 +8321,9 @@ class RelativePositionConfig(Command[R]):
     Reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS
+    and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -8384,12 +8474,12 @@ class ReferencePointLeverArm(Command[R]):
     Moves the point to which the position and the velocity of the filter refer.
 
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    Answered by `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
+    `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-INS, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
-    It shifts `filter_data.LlhPosition`, `filter_data.NedVelocity`, `filter_data.EcefPosition`,
-    `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`, depending on the attitude and,
-    for velocities, on the angular rate.
+    The shift of positions depends on the attitude, that of velocities on the angular rate as well.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -8542,11 +8632,13 @@ class SpeedMeasurement(Command[None]):
     source: int
     """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none."""
+    """GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+    SDK gives none.
+    """
     speed: float
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
-    """Standard deviation of the speed. Unit: m/s."""
+    """Standard deviation of the speed. Unit: m/s. Range: at least 0."""
 
     def __init__(
         self, tow: float, speed: float, speed_uncertainty: float, *, source: int = 1
@@ -8583,7 +8675,9 @@ class SpeedLeverArm(Command[R]):
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
+    `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
@@ -8706,8 +8800,9 @@ class VerticalGyroConstraintControl(Command[R]):
     Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    `VerticalGyroConstraintControlResponse`. Probably changes `filter_data.AttitudeQuaternion`,
+    `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any device profile. Known
+    only from the MicroStrain MIP SDK.
 
     It assumes that the linear acceleration is zero.
 
@@ -8816,7 +8911,9 @@ class WheeledVehicleConstraintControl(Command[R]):
     Lets the filter assume that the vehicle moves only along its x axis.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
+    `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
+    `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
     3DM-GQ7-GNSS/INS.
 
     It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
@@ -8928,8 +9025,10 @@ class GnssAntennaCalibrationControl(Command[R]):
     Lets the filter track the error of the antenna offset.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS.
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Changes
+    `filter_data.MultiAntennaOffsetCorrection`. Probably changes
+    `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

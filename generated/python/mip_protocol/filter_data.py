@@ -235,33 +235,45 @@ class Gx5StatusFlags(IntFlag):
     RUN_MATRIX_SINGULARITY = 1 << 3
     """A matrix of the computation is singular. Bit 3."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
-    """A position covariance is above its normal limit. Bit 4."""
+    """A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and
+    `LlhPositionUncertainty`.
+    """
     RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
-    """A velocity covariance is above its normal limit. Bit 5."""
+    """A velocity covariance is above its normal limit. Bit 5. Concerns `NedVelocity` and
+    `NedVelocityUncertainty`.
+    """
     RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
-    """An attitude covariance is above its normal limit. Bit 6."""
+    """An attitude covariance is above its normal limit. Bit 6. Concerns `EulerAngles` and
+    `EulerAnglesUncertainty`.
+    """
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution contains values that are not numbers. Bit 7."""
+    """The solution contains values that are not numbers. Bit 7. Concerns `filter.Reset`."""
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
-    """The estimated gyroscope bias is high. Bit 8."""
+    """The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`."""
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
-    """The estimated accelerometer bias is high. Bit 9."""
+    """The estimated accelerometer bias is high. Bit 9. Concerns `AccelBias`."""
     RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
-    """The estimated gyroscope scale factor is high. Bit 10."""
+    """The estimated gyroscope scale factor is high. Bit 10. Concerns `GyroScaleFactor`."""
     RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
-    """The estimated accelerometer scale factor is high. Bit 11."""
+    """The estimated accelerometer scale factor is high. Bit 11. Concerns `AccelScaleFactor`."""
     RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
-    """The estimated magnetometer bias is high. Bit 12."""
+    """The estimated magnetometer bias is high. Bit 12. Concerns `MagBias`."""
     RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
-    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13."""
+    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13. Concerns
+    `AntennaOffsetCorrection` and `filter.AntennaOffset`.
+    """
     RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
-    """The estimated hard-iron offset is high. Bit 14."""
+    """The estimated hard-iron offset is high. Bit 14. Concerns `MagOffset`."""
     RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
-    """The estimated soft-iron correction is high. Bit 15."""
+    """The estimated soft-iron correction is high. Bit 15. Concerns `MagMatrix`."""
     INIT_NO_ATTITUDE = 1 << 12
-    """The attitude is not initialized. Bit 12. Overlaps other bits."""
+    """The attitude is not initialized. Bit 12. Overlaps other bits. Concerns `AttitudeQuaternion`,
+    `AttitudeDcm` and `EulerAngles`.
+    """
     INIT_NO_POSITION_VELOCITY = 1 << 13
-    """Position and velocity are not initialized. Bit 13. Overlaps other bits."""
+    """Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
+    `LlhPosition` and `NedVelocity`.
+    """
 
 
 class FilterCondition(codec.OpenEnum):
@@ -291,25 +303,44 @@ class Cv7StatusFlags(IntFlag):
     FILTER_CONDITION = 0x3
     """How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`."""
     ROLL_PITCH_WARNING = 1 << 2
-    """Roll and pitch are doubtful; check the mounting transformation. Bit 2."""
+    """Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+    `AttitudeQuaternion`, `AttitudeDcm` and `EulerAngles`.
+    """
     HEADING_WARNING = 1 << 3
-    """The heading is doubtful; check the heading source. Bit 3."""
+    """The heading is doubtful; check the heading source. Bit 3. Concerns `AttitudeQuaternion`,
+    `AttitudeDcm` and `EulerAngles`.
+    """
     POSITION_WARNING = 1 << 4
-    """The position is doubtful; check the GNSS reception and antennas. Bit 4."""
+    """The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+    `LlhPosition`, `EcefPosition` and `NedRelativePosition`.
+    """
     VELOCITY_WARNING = 1 << 5
-    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5."""
+    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
+    `NedVelocity` and `EcefVelocity`.
+    """
     IMU_BIAS_WARNING = 1 << 6
-    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
+    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns `AccelBias`,
+    `GyroBias` and `mip_3dm.CaptureGyroBias`.
+    """
     GNSS_CLOCK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation continues. Bit 7."""
+    """The GNSS clock is doubtful; navigation continues. Bit 7. Concerns `Timestamp` and
+    `ClockCorrection`.
+    """
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
-    """The antenna offsets are probably wrong. Bit 8."""
+    """The antenna offsets are probably wrong. Bit 8. Concerns `MultiAntennaOffsetCorrection` and
+    `filter.MultiAntennaOffset`.
+    """
     MOUNTING_TRANSFORM_WARNING = 1 << 9
-    """The mounting transformation is probably wrong. Bit 9."""
+    """The mounting transformation is probably wrong. Bit 9. Concerns
+    `mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformDcm`.
+    """
     TIME_SYNC_WARNING = 1 << 10
-    """No pulse per second is detected, or the time of an external heading is too old. Bit 10."""
+    """No pulse per second is detected, or the time of an external heading is too old. Bit 10.
+    Concerns `mip_3dm.PpsSourceControl`.
+    """
     SOLUTION_ERROR = 0xF000
     """Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to 15.
+    Concerns `filter.Reset`.
     """
 
     @property
@@ -341,10 +372,16 @@ class LlhPosition(Data):
 
     Estimated position.
 
-    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and
-    3DM-GX5-25.
+    Also called `position_llh`. Changed by `filter.SensorToVehicleOffset` and
+    `filter.ReferencePointLeverArm`. Probably changed by `filter.AntennaOffset`,
+    `filter.GnssSource`, `filter.PressureAltitudeNoise`, `filter.AltitudeAiding`,
+    `filter.InitializationConfig` and `filter.MultiAntennaOffset`. Flagged by
+    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Refused by 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -365,20 +402,19 @@ class LlhPosition(Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags`
     is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, latitude: float, longitude: float, ellipsoid_height: float, valid_flags: ValidFlags
@@ -413,10 +449,16 @@ class NedVelocity(Data):
 
     Estimated velocity.
 
-    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
-    3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25 and
-    3DM-GX5-25.
+    Also called `velocity_ned`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_POSITION_VELOCITY` of `Gx5StatusFlags` and
+    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Refused by 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -437,14 +479,19 @@ class NedVelocity(Data):
     )
 
     north: float
-    """Velocity north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     east: float
-    """Velocity east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     down: float
-    """Velocity down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -475,11 +522,25 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused
-    by 3DM-GX3-25.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by
+    3DM-GX3-25.
 
     `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
 
@@ -499,11 +560,11 @@ class AttitudeQuaternion(Data):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
+    x 0, y 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -530,10 +591,24 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
     v_ned`.
@@ -555,10 +630,11 @@ class AttitudeDcm(Data):
 
     dcm: types.Matrix3f
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.dcm = codec.vector(dcm, types.Matrix3f)
@@ -585,11 +661,27 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SetInitialAttitude`, `filter.SetInitialHeading`, `filter.SetInitialAttitudeFromImu`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `filter.HeadingSource`, `filter.AutoAngularZupt`, `filter.CommandedAngularZupt`,
+    `filter.EnableMeasurements`, `filter.MagneticDeclinationSource`,
+    `filter.AccelMagnitudeErrorAdaptiveMeasurement`, `filter.MagMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagDipAngleErrorAdaptiveMeasurement`, `filter.PitchRollAiding`,
+    `filter.MagneticInclinationSource`, `filter.MagneticMagnitudeSource`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.VerticalGyroConstraintControl` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of `Gx5StatusFlags`,
+    `Gx5StatusFlags.INIT_NO_ATTITUDE` of `Gx5StatusFlags`, `Cv7StatusFlags.ROLL_PITCH_WARNING` of
+    `Cv7StatusFlags` and `Cv7StatusFlags.HEADING_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The ranges of the angles. Uncertain:
+    which no source states.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -613,13 +705,22 @@ class EulerAngles(Data):
     )
 
     roll: float
-    """Roll. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. At rest and level: 0. Positive: right side down. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
     pitch: float
-    """Pitch. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
+    1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     yaw: float
-    """Yaw. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+    3.141592653589793. Positive: clockwise seen from above. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -650,10 +751,14 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.GyroBias`,
+    `mip_3dm.CaptureGyroBias`, `filter.GyroBiasModel`, `filter.AutoAngularZupt` and
+    `filter.CommandedAngularZupt`. Flagged by `Gx5StatusFlags.RUN_GYRO_BIAS_EST_HIGH_WARNING` of
+    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -671,11 +776,11 @@ class GyroBias(Data):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Bias that the filter subtracts. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -702,8 +807,11 @@ class AccelBias(Data):
 
     Estimated bias of the accelerometer.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
+    Changed by `filter.EstimationControl`. Probably changed by `mip_3dm.AccelBias` and
+    `filter.AccelBiasModel`. Flagged by `Gx5StatusFlags.RUN_ACCEL_BIAS_EST_HIGH_WARNING` of
+    `Gx5StatusFlags` and `Cv7StatusFlags.IMU_BIAS_WARNING` of `Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX4-25.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -720,11 +828,11 @@ class AccelBias(Data):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Bias that the filter subtracts. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -751,9 +859,11 @@ class LlhPositionUncertainty(Data):
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and
-    3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
+    Also called `position_llh_uncertainty`. Probably changed by `filter.AccelNoise`,
+    `filter.PressureAltitudeNoise` and `filter.AltitudeAiding`. Flagged by
+    `Gx5StatusFlags.RUN_POSITION_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -774,19 +884,19 @@ class LlhPositionUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -817,9 +927,11 @@ class NedVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
-    Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and
-    3DM-GX5-45. Refused by 3DM-GX3-25.
+    Also called `velocity_ned_uncertainty`. Probably changed by `filter.AccelNoise`,
+    `filter.AutoZupt` and `filter.CommandedZupt`. Flagged by
+    `Gx5StatusFlags.RUN_VELOCITY_COVARIANCE_WARNING` of `Gx5StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS and 3DM-GX5-45. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -840,19 +952,19 @@ class NedVelocityUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
-    is set.
+    """Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
         self.north = north
@@ -883,11 +995,15 @@ class EulerAnglesUncertainty(Data):
 
     Standard deviation of the estimated Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
-    3DM-GX5-45. Refused by 3DM-GX3-25.
+    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
+    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
+    `filter.PitchRollAiding`. Flagged by `Gx5StatusFlags.RUN_ATTITUDE_COVARIANCE_WARNING` of
+    `Gx5StatusFlags`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25 and 3DM-GX5-45. Refused by 3DM-GX3-25.
 
     3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
@@ -912,15 +1028,19 @@ class EulerAnglesUncertainty(Data):
     )
 
     roll: float
-    """Standard deviation of roll. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of roll. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     pitch: float
-    """Standard deviation of pitch. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     yaw: float
-    """Standard deviation of yaw. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
         self.roll = roll
@@ -951,10 +1071,12 @@ class GyroBiasUncertainty(Data):
 
     Standard deviation of the estimated gyroscope bias.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Probably changed by `filter.EstimationControl`, `filter.GyroNoise`, `filter.GyroBiasModel`,
+    `filter.AutoAngularZupt` and `filter.CommandedAngularZupt`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -972,11 +1094,11 @@ class GyroBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1007,6 +1129,7 @@ class AccelBiasUncertainty(Data):
 
     Standard deviation of the estimated accelerometer bias.
 
+    Probably changed by `filter.EstimationControl`, `filter.AccelNoise` and `filter.AccelBiasModel`.
     Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-45,
     3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS and 3DM-GX5-45.
 
@@ -1025,11 +1148,11 @@ class AccelBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1058,12 +1181,16 @@ _LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
-    Compensated acceleration minus the estimated gravity.
+    Rate of change of the velocity, with the effect of gravity removed.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -1081,11 +1208,11 @@ class LinearAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+    and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -1112,11 +1239,15 @@ class CompAngularRate(Data):
 
     Angular rate without the estimated bias.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
-    Refused by 3DM-GX3-25.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25. Refused by
+    3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1134,11 +1265,12 @@ class CompAngularRate(Data):
     _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
-    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+    0. Positive: right side down, nose up, clockwise seen from above. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gyro: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gyro = codec.vector(gyro, types.Vector3f)
@@ -1165,9 +1297,9 @@ class Wgs84GravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device according to the WGS84 model.
 
-    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Also called `wgs84_gravity_mag`. Changed by `filter.ReferencePosition`. Supported by 3DM-GX5-15.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     The model is valid up to an altitude of 20 km.
 
@@ -1185,9 +1317,11 @@ class Wgs84GravityMagnitude(Data):
     _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     gravity_magnitude: float
-    """Magnitude of gravity. Unit: m/s^2. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gravity_magnitude: float, valid_flags: ValidFlags) -> None:
         self.gravity_magnitude = gravity_magnitude
@@ -1214,11 +1348,12 @@ class Status(Data):
 
     State, dynamics mode, condition and warnings of the filter.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused
-    by 3DM-GX3-25.
+    Changed by `filter.Run`. Probably changed by `filter.InitializationConfig`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. Refused by
+    3DM-GX3-25.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
     (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
@@ -1309,9 +1444,10 @@ class Timestamp(Data):
 
     GPS time of the filter data.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `base.GpsTimeUpdate`. Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
     synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
@@ -1332,12 +1468,14 @@ class Timestamp(Data):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", ValidFlags))
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: ValidFlags) -> None:
         self.tow = tow
@@ -1366,10 +1504,14 @@ class QuaternionAttitudeUncertainty(Data):
 
     Standard deviation of the elements of the estimated attitude quaternion.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Probably changed by `filter.GyroNoise`, `filter.GravityNoise`, `filter.EnableMeasurements`,
+    `filter.MagNoise`, `filter.AccelMagnitudeErrorAdaptiveMeasurement`,
+    `filter.MagMagnitudeErrorAdaptiveMeasurement`, `filter.MagDipAngleErrorAdaptiveMeasurement` and
+    `filter.PitchRollAiding`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1387,11 +1529,11 @@ class QuaternionAttitudeUncertainty(Data):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.q = codec.vector(q, types.Quatf)
@@ -1420,10 +1562,14 @@ class GravityVector(Data):
 
     Estimated gravity.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1441,11 +1587,12 @@ class GravityVector(Data):
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
-    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
+    level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The
+    sign, which no source states.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, gravity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.gravity = codec.vector(gravity, types.Vector3f)
@@ -1474,9 +1621,9 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-25, 3DM-GX4-45
-    and 3DM-GX5-25.
+    Changed by `filter.HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
+    3DM-GX4-25, 3DM-GX4-45 and 3DM-GX5-25.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1499,12 +1646,12 @@ class HeadingUpdateState(Data):
     )
 
     heading: float
-    """Heading of the sensor frame relative to true north. Unit: rad. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
+    above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
-    """Standard deviation of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     source: HeadingSourceFlags
     """Sources of the heading.
@@ -1512,7 +1659,7 @@ class HeadingUpdateState(Data):
     - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -1559,9 +1706,9 @@ class MagneticModel(Data):
 
     Magnetic field at the position of the device according to the World Magnetic Model.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `filter.ReferencePosition`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-INS, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
 
     It is valid only with a valid GNSS position.
 
@@ -1600,21 +1747,27 @@ class MagneticModel(Data):
     )
 
     intensity_north: float
-    """Intensity north. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Northward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     intensity_east: float
-    """Intensity east. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Eastward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     intensity_down: float
-    """Intensity down. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Downward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     inclination: float
-    """Inclination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Angle of the field below the horizontal plane. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     declination: float
-    """Declination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Angle from true north to magnetic north. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -1666,7 +1819,9 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Flagged by
+    `Gx5StatusFlags.RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1687,7 +1842,7 @@ class GyroScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1718,7 +1873,9 @@ class AccelScaleFactor(Data):
 
     Estimated scale factor of the accelerometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Flagged by
+    `Gx5StatusFlags.RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1739,7 +1896,7 @@ class AccelScaleFactor(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1772,7 +1929,8 @@ class GyroScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1792,11 +1950,11 @@ class GyroScaleFactorUncertainty(Data):
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1830,7 +1988,8 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -1850,11 +2009,11 @@ class AccelScaleFactorUncertainty(Data):
     _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1886,7 +2045,8 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Flagged by `Gx5StatusFlags.RUN_MAG_BIAS_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1907,7 +2067,7 @@ class MagBias(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.bias = codec.vector(bias, types.Vector3f)
@@ -1951,11 +2111,11 @@ class MagBiasUncertainty(Data):
     _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -1986,10 +2146,14 @@ class CompAccel(Data):
 
     Acceleration without the estimated bias; it includes gravity.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler` and
+    `filter.TareOrientation`. Probably changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -2007,11 +2171,11 @@ class CompAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
+    -9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.accel = codec.vector(accel, types.Vector3f)
@@ -2088,7 +2252,9 @@ class StandardAtmosphere(Data):
     geometric_altitude: float
     """Altitude used in the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     geopotential_altitude: float
-    """Geopotential altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     standard_temperature: float
     """Temperature. Unit: degC. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     standard_pressure: float
@@ -2096,7 +2262,7 @@ class StandardAtmosphere(Data):
     standard_density: float
     """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -2178,7 +2344,7 @@ class PressureAltitude(Data):
     """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
         self.pressure_altitude = pressure_altitude
@@ -2225,7 +2391,7 @@ class DensityAltitude(Data):
     density_altitude: float
     """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, density_altitude: float, valid_flags: ValidFlags) -> None:
         self.density_altitude = density_altitude
@@ -2252,8 +2418,11 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Also called `magnetometer_offset`. Changed by `filter.EstimationControl` and
+    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.HardIronOffsetNoise`. Flagged by
+    `Gx5StatusFlags.RUN_MAG_HARD_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
+    only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2276,7 +2445,7 @@ class MagOffset(Data):
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, hard_iron: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.hard_iron = codec.vector(hard_iron, types.Vector3f)
@@ -2303,8 +2472,11 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Also called `magnetometer_matrix`. Changed by `filter.EstimationControl` and
+    `filter.MagCaptureAutoCalibration`. Probably changed by `filter.SoftIronMatrixNoise`. Flagged by
+    `Gx5StatusFlags.RUN_MAG_SOFT_IRON_EST_HIGH_WARNING` of `Gx5StatusFlags`. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known
+    only from the MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2327,7 +2499,7 @@ class MagMatrix(Data):
     Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, soft_iron: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
@@ -2354,9 +2526,9 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain
-    MIP SDK.
+    Also called `magnetometer_offset_uncertainty`. Probably changed by `filter.EstimationControl`
+    and `filter.HardIronOffsetNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -2373,11 +2545,11 @@ class MagOffsetUncertainty(Data):
     _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+    0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, hard_iron_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2409,9 +2581,9 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain
-    MIP SDK.
+    Also called `magnetometer_matrix_uncertainty`. Probably changed by `filter.EstimationControl`
+    and `filter.SoftIronMatrixNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -2432,10 +2604,10 @@ class MagMatrixUncertainty(Data):
 
     soft_iron_uncertainty: types.Matrix3f
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-    1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    1. Frame: sensor. Range: at least 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, soft_iron_uncertainty: types.Matrix3f | codec.Rows, valid_flags: ValidFlags
@@ -2490,7 +2662,7 @@ class MagCovarianceMatrix(Data):
     gauss^2, and the frame.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
         self.covariance = codec.vector(covariance, types.Matrix3f)
@@ -2541,7 +2713,7 @@ class MagResidualVector(Data):
     `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.residual = codec.vector(residual, types.Vector3f)
@@ -2570,7 +2742,9 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Changed by `filter.EstimationControl`. Probably changed by `filter.AntennaOffset`. Flagged by
+    `Gx5StatusFlags.RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING` of `Gx5StatusFlags`. Not listed
+    in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2593,7 +2767,7 @@ class AntennaOffsetCorrection(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.offset = codec.vector(offset, types.Vector3f)
@@ -2624,7 +2798,8 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
@@ -2641,11 +2816,11 @@ class AntennaOffsetCorrectionUncertainty(Data):
     _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, offset_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2676,7 +2851,8 @@ class ClockCorrection(Data):
 
     Estimated clock error of one GNSS receiver.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
@@ -2703,7 +2879,7 @@ class ClockCorrection(Data):
     bias_drift: float
     """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, receiver_id: int, bias: float, bias_drift: float, valid_flags: ValidFlags
@@ -2763,14 +2939,15 @@ class ClockCorrectionUncertainty(Data):
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
     bias_uncertainty: float
-    """Standard deviation of the bias. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation of the bias. Unit: s. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     bias_drift_uncertainty: float
-    """Standard deviation of the drift. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -2811,7 +2988,9 @@ class MultiAntennaOffsetCorrection(Data):
 
     Estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS.
+    Changed by `filter.GnssAntennaCalibrationControl`. Probably changed by
+    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.ANTENNA_LEVER_ARM_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS.
 
     The filter adds it to the stored offset.
 
@@ -2840,7 +3019,7 @@ class MultiAntennaOffsetCorrection(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, receiver_id: int, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2875,7 +3054,8 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Probably changed by `filter.GnssAntennaCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
+    Probably supported by 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -2898,11 +3078,11 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -2940,8 +3120,9 @@ class EcefPositionUncertainty(Data):
 
     Standard deviation of the estimated position.
 
-    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos_uncertainty`. Probably changed by `filter.AccelNoise`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
+    3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2958,11 +3139,11 @@ class EcefPositionUncertainty(Data):
     _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, position_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -2993,7 +3174,8 @@ class EcefVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
+    Also called `ecef_vel_uncertainty`. Probably changed by `filter.AccelNoise`, `filter.AutoZupt`
+    and `filter.CommandedZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
     supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
@@ -3011,11 +3193,11 @@ class EcefVelocityUncertainty(Data):
     _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
-    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, velocity_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
@@ -3046,8 +3228,11 @@ class EcefPosition(Data):
 
     Estimated position.
 
-    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_pos`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.InitializationConfig` and
+    `filter.MultiAntennaOffset`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of `Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -3064,11 +3249,11 @@ class EcefPosition(Data):
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Position of the reference point. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.position = codec.vector(position, types.Vector3d)
@@ -3097,8 +3282,13 @@ class EcefVelocity(Data):
 
     Estimated velocity.
 
-    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-GX3-25.
+    Also called `ecef_vel`. Changed by `filter.ReferencePointLeverArm`. Probably changed by
+    `filter.AntennaOffset`, `filter.GnssSource`, `filter.AutoZupt`, `filter.CommandedZupt`,
+    `filter.KinematicConstraint`, `filter.InitializationConfig`, `filter.MultiAntennaOffset`,
+    `filter.SpeedLeverArm` and `filter.WheeledVehicleConstraintControl`. Flagged by
+    `Cv7StatusFlags.VELOCITY_WARNING` of `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by
+    3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -3115,11 +3305,11 @@ class EcefVelocity(Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Velocity of the reference point. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and
+    level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, velocity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
         self.velocity = codec.vector(velocity, types.Vector3f)
@@ -3148,8 +3338,10 @@ class NedRelativePosition(Data):
 
     Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
-    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Also called `rel_pos_ned`. Changed by `filter.RelativePositionConfig` and
+    `filter.ReferencePointLeverArm`. Flagged by `Cv7StatusFlags.POSITION_WARNING` of
+    `Cv7StatusFlags`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -3166,11 +3358,11 @@ class NedRelativePosition(Data):
     _VECTORS = {"relative_position": (types.Ned3d,)}
 
     relative_position: types.Ned3d
-    """Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """From the reference point to the device. Elements: north, east, down. Unit: m. Frame: ned.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self, relative_position: types.Ned3d | codec.Numbers, valid_flags: ValidFlags
@@ -3203,9 +3395,9 @@ class GnssPositionAidingStatus(Data):
 
     How the filter uses the position measurements of one GNSS receiver.
 
-    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably
-    supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and
-    3DM-GX5-25.
+    Also called `gnss_pos_aid_status`. Probably changed by `filter.GnssSource`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and
+    3DM-GV7-INS. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3230,7 +3422,7 @@ class GnssPositionAidingStatus(Data):
     receiver_id: int
     """Number of the receiver."""
     tow: float
-    """GPS time of week of the last measurement. Unit: s."""
+    """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."""
     status: GnssAidingStatus
     """How the measurements are used."""
     reserved: tuple[int, ...]
@@ -3296,8 +3488,8 @@ class GnssAttitudeAidingStatus(Data):
     )
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-    the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+    Whether it is the time of the measurement or that of its processing.
     """
     status: GnssAidingStatus
     """How the measurements are used."""
@@ -3354,8 +3546,8 @@ class HeadingAidingStatus(Data):
     _LAYOUT = (("tow", "f", None), ("type", "B", HeadingAidingType), ("reserved", "ff", tuple))
 
     tow: float
-    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-    the measurement or that of its processing.
+    """GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+    Whether it is the time of the measurement or that of its processing.
     """
     type: HeadingAidingType
     """Source of the heading."""
@@ -3393,8 +3585,8 @@ class AidingMeasurementSummary(Data):
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-INS and 3DM-GV7-INS.
+    Changed by `filter.AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3417,7 +3609,7 @@ class AidingMeasurementSummary(Data):
     )
 
     tow: float
-    """GPS time of week at the end of the interval. Unit: s."""
+    """GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800."""
     source: int
     """Number of the source of the measurement."""
     type: AidingMeasurementType
@@ -3460,7 +3652,8 @@ class OdometerScaleFactorError(Data):
 
     Estimated relative error of the odometer scale factor.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
+    Probably changed by `filter.SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-GQ7-GNSS/INS.
 
     Estimated scale factor = configured scale factor * (1 + error).
 
@@ -3480,7 +3673,7 @@ class OdometerScaleFactorError(Data):
     scale_factor_error: float
     """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, scale_factor_error: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error = scale_factor_error
@@ -3525,11 +3718,11 @@ class OdometerScaleFactorErrorUncertainty(Data):
     _LAYOUT = (("scale_factor_error_uncertainty", "f", None), ("valid_flags", "H", ValidFlags))
 
     scale_factor_error_uncertainty: float
-    """Uncertainty of the relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
+    """Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(self, scale_factor_error_uncertainty: float, valid_flags: ValidFlags) -> None:
         self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
@@ -3560,7 +3753,8 @@ class GnssDualAntennaStatus(Data):
 
     Heading that two GNSS antennas give.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
+    Probably changed by `filter.MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3592,20 +3786,23 @@ class GnssDualAntennaStatus(Data):
     )
 
     tow: float
-    """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading: float
-    """Heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
+    from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     heading_uncertainty: float
-    """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     fix_type: DualAntennaFixType
     """Kind of solution."""
     status_flags: DualAntennaStatusFlags
     """Inputs available to the solution."""
     valid_flags: ValidFlags
-    """Validity of the values."""
+    """Whether the values of a field may be used."""
 
     def __init__(
         self,
@@ -3657,8 +3854,8 @@ class AidingFrameConfigError(Data):
 
     Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
-    3DM-CX7-INS and 3DM-GV7-INS.
+    Changed by `aiding.FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-CV7-INS. Probably supported by 3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -3723,7 +3920,8 @@ class AidingFrameConfigErrorUncertainty(Data):
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
+    Probably changed by `aiding.FrameConfig`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
@@ -3749,9 +3947,10 @@ class AidingFrameConfigErrorUncertainty(Data):
     frame_id: int
     """Number of the frame."""
     translation_uncertainty: types.Vector3f
-    """Uncertainty of the translation. Elements: x, y, z. Unit: m."""
+    """Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0."""
     attitude_uncertainty: types.Vector3f
-    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
+    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.
+    """
 
     def __init__(
         self,

@@ -130,7 +130,7 @@ class ReceiverResetType(codec.OpenEnum):
     """
 
     HARDWARE = 1
-    """Resets the receiver by its reset line."""
+    """Resets the hardware of the receiver."""
     COLD = 2
     """Restarts all software of the receiver."""
     WARM = 3
@@ -575,8 +575,10 @@ class SignalConfig(Command[R]):
     GNSS signals that the device uses.
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
+    `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. Probably
+    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25. On the 3DM-GQ7-GNSS/INS: firmware >
+    1.0.10.
 
     A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
@@ -812,9 +814,10 @@ class RtkConfig(Command[R]):
     Sets how readily the device fixes the ambiguities of an RTK solution.
 
     Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RtkConfigResponse`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report
-    it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+    Answered by `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and
+    `gnss_data.LlhPosition`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as
+    experimental on the 3DM-GQ7, which accepts `conservative` only.
 
     The available modes differ by device.
 
@@ -935,8 +938,9 @@ class RtkDongleConfig(Command[R]):
     Switches the communication with a connected RTK dongle on or off.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. Probably supported by 3DM-GQ7-GNSS/INS.
-    Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
+    `default`. Answered by `RtkDongleConfigResponse`. Probably changes
+    `gnss_data.RtkCorrectionsStatus`. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -1066,9 +1070,9 @@ class SpartnConfig(Command[R]):
     Source and keys of SPARTN corrections.
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
-    accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
-    the command has "bc" for 0xBC.
+    Answered by `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported
+    by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
+    UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
 
     A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
     time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,

@@ -38,9 +38,9 @@ class LlhPositionFlags(IntFlag):
     MSL_HEIGHT = 1 << 2
     """Height above mean sea level. Bit 2."""
     HORIZONTAL_ACCURACY = 1 << 3
-    """Horizontal accuracy. Bit 3."""
+    """`horizontal_accuracy` is valid. Bit 3."""
     VERTICAL_ACCURACY = 1 << 4
-    """Vertical accuracy. Bit 4."""
+    """`vertical_accuracy` is valid. Bit 4."""
     FLAGS = 0x1F
     """All of them. Bits 0 to 4. Overlaps other bits."""
 
@@ -50,7 +50,7 @@ class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
-    """Position. Bit 0."""
+    """`position` is valid. Bit 0."""
     POSITION_ACCURACY = 1 << 1
     """Accuracy of the position. Bit 1."""
     FLAGS = 0x3
@@ -68,7 +68,7 @@ class NedVelocityFlags(IntFlag):
     GROUND_SPEED = 1 << 2
     """Speed over ground. Bit 2."""
     HEADING = 1 << 3
-    """Heading. Bit 3."""
+    """`heading` is valid. Bit 3."""
     SPEED_ACCURACY = 1 << 4
     """Accuracy of the speed. Bit 4."""
     HEADING_ACCURACY = 1 << 5
@@ -82,7 +82,7 @@ class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity. Bit 0."""
+    """`velocity` is valid. Bit 0."""
     VELOCITY_ACCURACY = 1 << 1
     """Accuracy of the velocity. Bit 1."""
     FLAGS = 0x3
@@ -130,7 +130,7 @@ class GpsTimeFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     FLAGS = 0x3
     """All of them. Bits 0 to 1. Overlaps other bits."""
 
@@ -140,9 +140,9 @@ class ClockInfoFlags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias. Bit 0."""
+    """`bias` is valid. Bit 0."""
     DRIFT = 1 << 1
-    """Drift. Bit 1."""
+    """`drift` is valid. Bit 1."""
     ACCURACY_ESTIMATE = 1 << 2
     """Accuracy. Bit 2."""
     FLAGS = 0x7
@@ -168,7 +168,7 @@ class FixInfoFlags(IntFlag):
     NUM_SV = 1 << 1
     """Number of satellites. Bit 1."""
     FIX_FLAGS = 1 << 2
-    """Fix flags. Bit 2."""
+    """`fix_flags` is valid. Bit 2."""
     FLAGS = 0x7
     """All of them. Bits 0 to 2. Overlaps other bits."""
 
@@ -188,15 +188,15 @@ class SvInfoFlags(IntFlag):
     """Which parts of the satellite info are valid."""
 
     CHANNEL = 1 << 0
-    """Channel. Bit 0."""
+    """`channel` is valid. Bit 0."""
     SATELLITE_ID = 1 << 1
     """Satellite. Bit 1."""
     CARRIER_NOISE_RATIO = 1 << 2
     """Carrier to noise density ratio. Bit 2."""
     AZIMUTH = 1 << 3
-    """Azimuth. Bit 3."""
+    """`azimuth` is valid. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation. Bit 4."""
+    """`elevation` is valid. Bit 4."""
     SV_FLAGS = 1 << 5
     """State of the satellite. Bit 5."""
     FLAGS = 0x3F
@@ -259,7 +259,7 @@ class DgpsInfoFlags(IntFlag):
     """Which parts of the state of the corrections are valid."""
 
     AGE = 1 << 0
-    """Age. Bit 0."""
+    """`age` is valid. Bit 0."""
     BASE_STATION_ID = 1 << 1
     """Number of the base station. Bit 1."""
     BASE_STATION_STATUS = 1 << 2
@@ -277,7 +277,7 @@ class DgpsChannelFlags(IntFlag):
     SATELLITE_ID = 1 << 0
     """Satellite. Bit 0."""
     AGE = 1 << 1
-    """Age. Bit 1."""
+    """`age` is valid. Bit 1."""
     RANGE_CORRECTION = 1 << 2
     """Correction of the range. Bit 2."""
     RANGE_RATE_CORRECTION = 1 << 3
@@ -291,9 +291,9 @@ class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias. Bit 0."""
+    """`bias` is valid. Bit 0."""
     DRIFT = 1 << 1
-    """Drift. Bit 1."""
+    """`drift` is valid. Bit 1."""
     BIAS_ACCURACY = 1 << 2
     """Accuracy of the bias. Bit 2."""
     DRIFT_ACCURACY = 1 << 3
@@ -307,7 +307,7 @@ class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
     LEAP_SECONDS = 1 << 1
-    """Leap seconds. Bit 1."""
+    """`leap_seconds` is valid. Bit 1."""
 
 
 class SbasSystem(codec.OpenEnum):
@@ -346,7 +346,7 @@ class SbasInfoFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     SBAS_SYSTEM = 1 << 2
     """System. Bit 2."""
     SBAS_ID = 1 << 3
@@ -444,7 +444,7 @@ class HeadingFlags(IntFlag):
     """Which parts of the heading are valid."""
 
     HEADING = 1 << 0
-    """Heading. Bit 0."""
+    """`heading` is valid. Bit 0."""
     UNCERTAINTY = 1 << 1
     """Uncertainty of the heading. Bit 1."""
     FIX_TYPE = 1 << 2
@@ -460,17 +460,17 @@ class SatelliteStatusFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     GNSS_ID = 1 << 2
     """Constellation. Bit 2."""
     SATELLITE_ID = 1 << 3
     """Satellite. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation. Bit 4."""
+    """`elevation` is valid. Bit 4."""
     AZIMUTH = 1 << 5
-    """Azimuth. Bit 5."""
+    """`azimuth` is valid. Bit 5."""
     HEALTH = 1 << 6
-    """Health. Bit 6."""
+    """`health` is valid. Bit 6."""
     FLAGS = 0x7F
     """All of them. Bits 0 to 6. Overlaps other bits."""
 
@@ -499,11 +499,11 @@ class RawFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     RECEIVER_ID = 1 << 2
     """Receiver or reference station. Bit 2."""
     TRACKING_CHANNEL = 1 << 3
-    """Tracking channel. Bit 3."""
+    """`tracking_channel` is valid. Bit 3."""
     GNSS_ID = 1 << 4
     """Constellation. Bit 4."""
     SATELLITE_ID = 1 << 5
@@ -511,13 +511,13 @@ class RawFlags(IntFlag):
     SIGNAL_ID = 1 << 6
     """Signal. Bit 6."""
     SIGNAL_STRENGTH = 1 << 7
-    """Signal strength. Bit 7."""
+    """`signal_strength` is valid. Bit 7."""
     QUALITY = 1 << 8
     """Signal quality. Bit 8."""
     PSEUDORANGE = 1 << 9
-    """Pseudorange. Bit 9."""
+    """`pseudorange` is valid. Bit 9."""
     CARRIER_PHASE = 1 << 10
-    """Carrier phase. Bit 10."""
+    """`carrier_phase` is valid. Bit 10."""
     DOPPLER = 1 << 11
     """Doppler shift. Bit 11."""
     RANGE_UNCERTAINTY = 1 << 12
@@ -527,7 +527,7 @@ class RawFlags(IntFlag):
     DOPPLER_UNCERTAINTY = 1 << 14
     """Uncertainty of the Doppler shift. Bit 14."""
     LOCK_TIME = 1 << 15
-    """Lock time. Bit 15."""
+    """`lock_time` is valid. Bit 15."""
     FLAGS = 0xFFFF
     """All of them. Bits 0 to 15. Overlaps other bits."""
 
@@ -563,7 +563,7 @@ class BaseStationInfoFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ECEF_POSITION = 1 << 2
     """Position. Bit 2."""
     HEIGHT = 1 << 3
@@ -571,7 +571,7 @@ class BaseStationInfoFlags(IntFlag):
     STATION_ID = 1 << 4
     """Station. Bit 4."""
     INDICATORS = 1 << 5
-    """Indicators. Bit 5."""
+    """`indicators` is valid. Bit 5."""
     FLAGS = 0x3F
     """All of them. Bits 0 to 5. Overlaps other bits."""
 
@@ -608,9 +608,9 @@ class RtkCorrectionsStatusFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     EPOCH_STATUS = 1 << 2
-    """Epoch status. Bit 2."""
+    """`epoch_status` is valid. Bit 2."""
     DONGLE_STATUS = 1 << 3
     """Status of the dongle. Bit 3."""
     GPS_LATENCY = 1 << 4
@@ -665,7 +665,7 @@ class GpsIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients alpha. Bit 2."""
     BETA = 1 << 3
@@ -681,7 +681,7 @@ class GalileoIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients. Bit 2."""
     DISTURBANCE_FLAGS = 1 << 3
@@ -697,7 +697,7 @@ class BeidouIonoCorrectionFlags(IntFlag):
     TOW = 1 << 0
     """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number. Bit 1."""
+    """`week_number` is valid. Bit 1."""
     ALPHA = 1 << 2
     """Coefficients alpha. Bit 2."""
     BETA = 1 << 3
@@ -726,10 +726,11 @@ class LlhPosition(Shared, Data):
     GNSS position as latitude, longitude and height.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
+    `mip_3dm.GpsDynamicsMode` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
+    3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
@@ -770,13 +771,12 @@ class LlhPosition(Shared, Data):
     )
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `LlhPositionFlags.LAT_LON` of
-    `valid_flags` is set.
+    """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+    `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `LlhPositionFlags.LAT_LON` of
-    `valid_flags` is set. Uncertain: The range, which no source states; 0 to 360 is the other usual
-    one.
+    """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+    `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     ellipsoid_height: float
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
@@ -787,15 +787,15 @@ class LlhPosition(Shared, Data):
     is set.
     """
     horizontal_accuracy: float
-    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
-    `valid_flags` is set.
+    """Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if
+    `LlhPositionFlags.HORIZONTAL_ACCURACY` of `valid_flags` is set.
     """
     vertical_accuracy: float
-    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
-    set.
+    """Estimated error of the heights. Unit: m. Range: at least 0. Valid if
+    `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: LlhPositionFlags
-    """Which values are valid."""
+    """Which parts of the position are valid."""
 
     def __init__(
         self,
@@ -881,15 +881,15 @@ class EcefPosition(Shared, Data):
     _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
-    `valid_flags` is set.
+    """Position of the antenna. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `EcefPositionFlags.POSITION` of `valid_flags` is set.
     """
     position_accuracy: float
-    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
-    `valid_flags` is set.
+    """Accuracy of the position. Unit: m. Range: at least 0. Valid if
+    `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
-    """Which values are valid."""
+    """Which parts of the position are valid."""
 
     def __init__(
         self,
@@ -935,10 +935,11 @@ class NedVelocity(Shared, Data):
     GNSS velocity in the local level frame.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45,
-    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25.
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
+    `mip_3dm.GpsDynamicsMode`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-INS,
+    3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
@@ -980,29 +981,29 @@ class NedVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Ned3f,)}
 
     velocity: types.Ned3f
-    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-    `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and
+    level: north 0, east 0, down 0. Valid if `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     speed: float
     """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
     ground_speed: float
-    """Speed over ground. Unit: m/s. Valid if `NedVelocityFlags.GROUND_SPEED` of `valid_flags` is
-    set.
-    """
-    heading: float
-    """Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
-    `NedVelocityFlags.HEADING` of `valid_flags` is set.
-    """
-    speed_accuracy: float
-    """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
-    is set.
-    """
-    heading_accuracy: float
-    """Accuracy of the heading. Unit: deg. Valid if `NedVelocityFlags.HEADING_ACCURACY` of
+    """Speed over ground. Unit: m/s. Range: at least 0. Valid if `NedVelocityFlags.GROUND_SPEED` of
     `valid_flags` is set.
     """
+    heading: float
+    """Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from
+    above. Valid if `NedVelocityFlags.HEADING` of `valid_flags` is set.
+    """
+    speed_accuracy: float
+    """Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+    `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags` is set.
+    """
+    heading_accuracy: float
+    """Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
+    `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
+    """
     valid_flags: NedVelocityFlags
-    """Which values are valid."""
+    """Which parts of the velocity are valid."""
 
     def __init__(
         self,
@@ -1083,15 +1084,15 @@ class EcefVelocity(Shared, Data):
     _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
-    `valid_flags` is set.
+    """Velocity of the antenna. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y
+    0, z 0. Valid if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     velocity_accuracy: float
-    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
-    `valid_flags` is set.
+    """Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
+    `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
-    """Which values are valid."""
+    """Which parts of the velocity are valid."""
 
     def __init__(
         self,
@@ -1156,21 +1157,34 @@ class Dop(Shared, Data):
     )
 
     gdop: float
-    """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
+    """Geometric dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.GDOP` of `valid_flags` is
+    set.
+    """
     pdop: float
-    """Position dilution. Unit: 1. Valid if `DopFlags.PDOP` of `valid_flags` is set."""
+    """Position dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.PDOP` of `valid_flags` is
+    set.
+    """
     hdop: float
-    """Horizontal dilution. Unit: 1. Valid if `DopFlags.HDOP` of `valid_flags` is set."""
+    """Horizontal dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.HDOP` of `valid_flags` is
+    set.
+    """
     vdop: float
-    """Vertical dilution. Unit: 1. Valid if `DopFlags.VDOP` of `valid_flags` is set."""
+    """Vertical dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.VDOP` of `valid_flags` is
+    set.
+    """
     tdop: float
-    """Time dilution. Unit: 1. Valid if `DopFlags.TDOP` of `valid_flags` is set."""
+    """Time dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.TDOP` of `valid_flags` is set.
+    """
     ndop: float
-    """Northing dilution. Unit: 1. Valid if `DopFlags.NDOP` of `valid_flags` is set."""
+    """Northing dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.NDOP` of `valid_flags` is
+    set.
+    """
     edop: float
-    """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
+    """Easting dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.EDOP` of `valid_flags` is
+    set.
+    """
     valid_flags: DopFlags
-    """Which values are valid."""
+    """Which dilutions of precision are valid."""
 
     def __init__(
         self,
@@ -1356,11 +1370,13 @@ class GpsTime(Shared, Data):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", GpsTimeFlags))
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `GpsTimeFlags.TOW`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
-    """Which values are valid."""
+    """Which parts of the time are valid."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
         self.tow = tow
@@ -1417,11 +1433,11 @@ class ClockInfo(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfoFlags.DRIFT` of `valid_flags` is set."""
     accuracy_estimate: float
-    """Estimated accuracy. Unit: s. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is
-    set.
+    """Estimated accuracy. Unit: s. Range: at least 0. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE`
+    of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
-    """Which values are valid."""
+    """Which clock parameters are valid."""
 
     def __init__(
         self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
@@ -1455,7 +1471,8 @@ class FixInfo(Shared, Data):
     Type of the position fix and what it is based on.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
+    `gnss.SignalConfig` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
     3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
     3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
@@ -1487,7 +1504,7 @@ class FixInfo(Shared, Data):
     fix_flags: FixFlags
     """What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
-    """Which values are valid."""
+    """Which parts of the fix information are valid."""
 
     def __init__(
         self,
@@ -1534,9 +1551,10 @@ class SvInfo(Shared, Data):
     One satellite that is tracked.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45,
-    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain:
-    Whether a packet holds one of these fields or several.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`.
+    Supported by 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
+    3DM-GX5-35. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
+    these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1587,13 +1605,17 @@ class SvInfo(Shared, Data):
     `valid_flags` is set.
     """
     azimuth: int
-    """Azimuth. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of `valid_flags` is set."""
+    """Direction of the satellite, from north. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of
+    `valid_flags` is set.
+    """
     elevation: int
-    """Elevation. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of `valid_flags` is set."""
+    """Angle of the satellite above the horizon. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of
+    `valid_flags` is set.
+    """
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
     valid_flags: SvInfoFlags
-    """Which values are valid."""
+    """Which parts of the satellite info are valid."""
 
     def __init__(
         self,
@@ -1684,7 +1706,7 @@ class HardwareStatus(Shared, Data):
     """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
     """
     valid_flags: HardwareStatusFlags
-    """Which values are valid."""
+    """Which parts of the hardware status are valid."""
 
     def __init__(
         self,
@@ -1777,7 +1799,7 @@ class DgpsInfo(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsInfoFlags
-    """Which values are valid."""
+    """Which parts of the state of the corrections are valid."""
 
     def __init__(
         self,
@@ -1876,7 +1898,7 @@ class DgpsInfoSatellite(Shared, Data):
     `DgpsChannel`.
     """
     valid_flags: DgpsInfoFlags
-    """Which values are valid."""
+    """Which parts of the state of the corrections are valid."""
 
     def __init__(
         self,
@@ -1974,7 +1996,7 @@ class DgpsChannel(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsChannelFlags
-    """Which values are valid."""
+    """Which parts of a differential correction are valid."""
 
     def __init__(
         self,
@@ -2064,15 +2086,15 @@ class ClockInfo2(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. Unit: s. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is
-    set.
+    """Accuracy of the bias. Unit: s. Range: at least 0. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of
+    `valid_flags` is set.
     """
     drift_accuracy_estimate: float
-    """Accuracy of the drift. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags`
-    is set.
+    """Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+    `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
-    """Which values are valid."""
+    """Which clock parameters are valid."""
 
     def __init__(
         self,
@@ -2170,8 +2192,8 @@ class SbasInfo(Shared, Data):
     Status of the satellite based augmentation.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused
-    by 3DM-CV7-AHRS and 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-CV7-AHRS and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
@@ -2211,7 +2233,9 @@ class SbasInfo(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `SbasInfoFlags.TOW`
+    of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
     sbas_system: SbasSystem
@@ -2224,7 +2248,7 @@ class SbasInfo(Shared, Data):
     sbas_status: SbasStatus
     """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
-    """Which values are valid."""
+    """Which parts of the SBAS status are valid."""
 
     def __init__(
         self,
@@ -2291,8 +2315,8 @@ class SbasCorrection(Shared, Data):
     SBAS correction for one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.GnssSbasSettings`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
     `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -2348,7 +2372,7 @@ class SbasCorrection(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week of the reception. Unit: s."""
+    """GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     gnss_id: types.GnssConstellation
@@ -2369,7 +2393,7 @@ class SbasCorrection(Shared, Data):
     of `valid_flags` is set.
     """
     valid_flags: SbasCorrectionFlags
-    """Which values are valid."""
+    """Which parts of an SBAS correction are valid."""
 
     def __init__(
         self,
@@ -2500,7 +2524,7 @@ class RfErrorDetection(Shared, Data):
     reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
-    """Which values are valid."""
+    """Which parts of the detection are valid."""
 
     def __init__(
         self,
@@ -2580,13 +2604,13 @@ class Heading(Shared, Data):
     usual; the SDK only states degrees.
     """
     uncertainty: float
-    """Uncertainty of the heading. Unit: deg. Valid if `HeadingFlags.UNCERTAINTY` of `valid_flags`
-    is set. Uncertain: Whether it is one standard deviation.
+    """Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `HeadingFlags.UNCERTAINTY`
+    of `valid_flags` is set. Uncertain: Whether it is one standard deviation.
     """
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
     valid_flags: HeadingFlags
-    """Which values are valid."""
+    """Which parts of the heading are valid."""
 
     def __init__(
         self,
@@ -2636,8 +2660,9 @@ class SatelliteStatus(Shared, Data):
     Direction to one satellite, and its health.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably
-    supported by 3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings` and
+    `gnss.SignalConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS. Probably supported by
+    3DM-CX7-INS, 3DM-GQ7-GNSS/INS and 3DM-GV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
@@ -2693,7 +2718,9 @@ class SatelliteStatus(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `SatelliteStatusFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
     set.
@@ -2705,8 +2732,8 @@ class SatelliteStatus(Shared, Data):
     `valid_flags` is set.
     """
     elevation: float
-    """Elevation, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.ELEVATION` of
-    `valid_flags` is set.
+    """Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
+    `SatelliteStatusFlags.ELEVATION` of `valid_flags` is set.
     """
     azimuth: float
     """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
@@ -2717,7 +2744,7 @@ class SatelliteStatus(Shared, Data):
     set.
     """
     valid_flags: SatelliteStatusFlags
-    """Which values are valid."""
+    """Which parts of the satellite status are valid."""
 
     def __init__(
         self,
@@ -2816,8 +2843,8 @@ class Raw(Shared, Data):
     Raw observation of one signal of one satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
-    3DM-GQ7-GNSS/INS.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.SignalConfig`. Supported by
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
@@ -2900,7 +2927,9 @@ class Raw(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of
+    `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
     receiver_id: int
@@ -2931,23 +2960,23 @@ class Raw(Shared, Data):
     doppler: float
     """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
     range_uncertainty: float
-    """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
-    `valid_flags` is set.
+    """Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if
+    `RawFlags.RANGE_UNCERTAINTY` of `valid_flags` is set.
     """
     phase_uncertainty: float
-    """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
-    of `valid_flags` is set.
+    """Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if
+    `RawFlags.CARRIER_PHASE_UNCERTAINTY` of `valid_flags` is set.
     """
     doppler_uncertainty: float
-    """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
-    `valid_flags` is set.
+    """Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if
+    `RawFlags.DOPPLER_UNCERTAINTY` of `valid_flags` is set.
     """
     lock_time: float
     """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
     `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
-    """Which values are valid."""
+    """Which parts of the observation are valid."""
 
     def __init__(
         self,
@@ -3120,8 +3149,8 @@ class BaseStationInfo(Shared, Data):
     _VECTORS = {"ecef_position": (types.Vector3d,)}
 
     tow: float
-    """GPS time of week at which the message was received. Unit: s. Valid if
-    `BaseStationInfoFlags.TOW` of `valid_flags` is set.
+    """GPS time of week at which the message was received. Unit: s. Range: at least 0, less than
+    604800. Valid if `BaseStationInfoFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
@@ -3211,8 +3240,8 @@ class RtkCorrectionsStatus(Shared, Data):
     Which corrections are received, and how old they are.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused
-    by 3DM-GX5-25.
+    (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
+    `gnss.SpartnConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-GX5-25.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -3260,7 +3289,8 @@ class RtkCorrectionsStatus(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `RtkCorrectionsStatusFlags.WEEK_NUMBER` of
@@ -3537,7 +3567,7 @@ class GpsEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -3966,7 +3996,7 @@ class GlonassEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -4366,7 +4396,7 @@ class GalileoEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -4826,7 +4856,7 @@ class BeidouEphemeris(Shared, Data):
     count: int
     """How many of these fields the epoch has."""
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
@@ -5145,7 +5175,9 @@ class GpsIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsIonoCorrectionFlags.WEEK_NUMBER` of `valid_flags`
     is set.
@@ -5159,7 +5191,7 @@ class GpsIonoCorrection(Shared, Data):
     Uncertain: The units.
     """
     valid_flags: GpsIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,
@@ -5230,7 +5262,8 @@ class GalileoIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `GalileoIonoCorrectionFlags.WEEK_NUMBER` of
@@ -5246,7 +5279,7 @@ class GalileoIonoCorrection(Shared, Data):
     bits count from 0 or from 1, and which region each represents.
     """
     valid_flags: GalileoIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,
@@ -5324,7 +5357,8 @@ class BeidouIonoCorrection(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `BeidouIonoCorrectionFlags.WEEK_NUMBER` of
@@ -5343,7 +5377,7 @@ class BeidouIonoCorrection(Shared, Data):
     of `valid_flags` is set. Uncertain: The units.
     """
     valid_flags: BeidouIonoCorrectionFlags
-    """Which values are valid."""
+    """Which parts of the model are valid."""
 
     def __init__(
         self,

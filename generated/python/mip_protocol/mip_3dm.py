@@ -329,8 +329,10 @@ class EventActionStatusEntry(Structure):
 
 
 class ReceiverDynamics(codec.OpenEnum):
-    """Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers
-    the modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+    """Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers
+    the modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do.
+    Uncertain: The descriptions. The sources have names only; what is said of each mode is inferred
+    from its name.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
     """
@@ -358,7 +360,9 @@ class ReceiverDynamics(codec.OpenEnum):
 @codec.open_flag(16)
 class DataConditioningFlags(IntFlag):
     """Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
-    protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+    protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
+    The descriptions. The sources have names only; what is said of each bit is inferred from its
+    name.
 
     - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
     - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -513,9 +517,9 @@ class SensorPowerState(codec.OpenEnum):
     LOW_POWER = 2
     """On with reduced power."""
     SLEEP = 3
-    """Asleep."""
+    """Very low power; starts quickly."""
     OFF = 4
-    """Off."""
+    """Off or in deep sleep."""
 
 
 class DeviceStatusSelector(codec.OpenEnum):
@@ -4267,11 +4271,11 @@ class GnssTimeAssistanceResponse(Response):
     _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("accuracy", "f", None))
 
     tow: float
-    """GPS time of week. Unit: s."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
     """GPS week number since 1980. Unit: week."""
     accuracy: float
-    """Accuracy of the time. Unit: s."""
+    """Accuracy of the time. Unit: s. Range: at least 0."""
 
     def __init__(self, tow: float, week_number: int, accuracy: float) -> None:
         self.tow = tow
@@ -4986,7 +4990,7 @@ class OdometerConfigResponse(Response):
     on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."""
 
     def __init__(self, mode: OdometerMode, scaling: float, uncertainty: float) -> None:
         self.mode = mode
@@ -6320,7 +6324,8 @@ class DataStreamControl(Command[R]):
     3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
-    devices by its descriptor set.
+    devices by its descriptor set. A stream that you enable begins with current data, not with data
+    from the time before.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -6495,7 +6500,8 @@ class ConstellationSettings(Command[R]):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
+    `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
+    `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Probably supported by
     3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Uncertain: The factory default. The SDK names
     only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
 
@@ -6640,7 +6646,8 @@ class GnssSbasSettings(Command[R]):
     How the GNSS receivers use satellite based augmentation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
+    `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
+    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. Probably
     supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Refused by
     3DM-GX3-25.
 
@@ -6953,11 +6960,11 @@ class GnssTimeAssistance(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     tow: float | None
-    """GPS time of week. Unit: s. Required for `write`."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for `write`."""
     week_number: int | None
     """GPS week number since 1980. Unit: week. Required for `write`."""
     accuracy: float | None
-    """Accuracy of the time. Unit: s. Required for `write`."""
+    """Accuracy of the time. Unit: s. Range: at least 0. Required for `write`."""
 
     def __init__(
         self,
@@ -7050,9 +7057,11 @@ class PpsSourceControl(Command[R]):
     Where the device takes its pulse per second from.
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-    3DM-GV7-AR and 3DM-GV7-INS.
+    `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
+    `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Flagged by
+    `filter_data.Cv7StatusFlags.TIME_SYNC_WARNING` of `filter_data.Cv7StatusFlags`. Supported by
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
     and `generated` are rarely useful.
@@ -7872,17 +7881,23 @@ class SensorToVehicleTransformEuler(Command[R]):
     Mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
+    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
     transformation; the value read back may be another form of it. Starting in line with the vehicle
     frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this
-    order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data,
-    the complementary filter and the attitude, acceleration, rate and gravity of the filter. Every
-    change makes both attitude filters, complementary and estimation, and all low-pass filters start
-    anew. On some older devices the setting is the inverse rotation.
+    order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change resets the
+    complementary filter, the estimation filter and all low-pass filters. On some older devices the
+    setting is the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -8019,17 +8034,21 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     Mounting of the sensor in the vehicle as a quaternion.
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
-    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Changes
+    `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
+    `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
+    `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
+    `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and
+    `filter_data.GravityVector`. Probably changes `filter_data.CompAccel` and
+    `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. The transformation applies to the scaled
-    acceleration, angular rate and magnetic field, delta theta and delta velocity, and to the
-    attitude, linear acceleration, angular rate and gravity vector of the filter. Every change makes
-    both attitude filters, complementary and estimation, and all low-pass filters start anew.
+    `filter.SensorToVehicleRotationQuaternion` takes. Every change resets the complementary filter,
+    the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -8141,17 +8160,21 @@ class SensorToVehicleTransformDcm(Command[R]):
     Mounting of the sensor in the vehicle as a direction cosine matrix.
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
-    Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
+    `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+    `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
+    Probably changes `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Flagged by
+    `filter_data.Cv7StatusFlags.MOUNTING_TRANSFORM_WARNING` of `filter_data.Cv7StatusFlags`.
+    Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. The
-    transformation applies to the scaled acceleration, angular rate and magnetic field, delta theta
-    and delta velocity, and to the attitude, linear acceleration, angular rate and gravity vector of
-    the filter. Every change makes both attitude filters, complementary and estimation, and all
-    low-pass filters start anew.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
+    resets the complementary filter, the estimation filter and all low-pass filters.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -8259,9 +8282,9 @@ class GpsDynamicsMode(Command[R]):
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpsDynamicsModeResponse`.
-    Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain
-    Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
-    for the 3DM-GX3-35 only.
+    Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Probably supported by
+    3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
+    Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
     - mscl: GPS Dynamics Mode (0x0C,0x34)
@@ -8375,12 +8398,15 @@ class ImuSignalConditioning(Command[R]):
     Configures the filters and the orientation algorithm of 3-series devices.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuSignalConditioningResponse`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
-    3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
-    Uncertain: The ranges, the defaults, and some of the flags. They are those of the single-byte
-    protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have it. The SDK of
-    2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every device sends
-    `reserved` in the response. MSCL reads it without.
+    `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
+    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`.
+    Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45. Known only from the MIP
+    SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some
+    of the flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same
+    record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+    3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it
+    without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -8743,7 +8769,8 @@ class AccelBias(Command[R]):
     Bias that is subtracted from the scaled acceleration.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
+    `filter_data.AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
     3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
@@ -8865,7 +8892,8 @@ class GyroBias(Command[R]):
     Bias that is subtracted from the scaled angular rate.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `GyroBiasResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta` and
+    `filter_data.GyroBias`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
     3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
@@ -8981,12 +9009,15 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
-    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
+    `sensor.DeltaTheta` and `filter_data.GyroBias`. Flagged by
+    `filter_data.Cv7StatusFlags.IMU_BIAS_WARNING` of `filter_data.Cv7StatusFlags`. The device may
+    take 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -9037,13 +9068,13 @@ class MagHardIronOffset(Command[R]):
     Offset that corrects the scaled magnetic field for hard iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
-    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-35. On the 3DM-CV7-AHRS: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default`
+    only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9165,13 +9196,13 @@ class MagSoftIronMatrix(Command[R]):
     Matrix that corrects the scaled magnetic field for soft iron.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by 3DM-CL5-25,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-25,
-    3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and
-    `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default` only. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45. On the 3DM-CV7-AHRS: `write`, `read`, `save`,
+    `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`, `load` and `default`
+    only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
     `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
@@ -9291,10 +9322,11 @@ class ConingScullingEnable(Command[R]):
     Switches the compensation of coning and sculling on or off.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConingScullingEnableResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
+    Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -9510,9 +9542,10 @@ class GpioConfig(Command[R]):
     What a GPIO pin is used for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS. Refused by 3DM-GX5-25.
+    Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by
+    3DM-GX5-25.
 
     Not every pin has every feature. For an output with another feature than gpio, set up what
     drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
@@ -9674,9 +9707,10 @@ class GpioState(Command[R]):
 
     Sets or reads the state of a GPIO pin.
 
-    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS,
-    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
+    3DM-GV7-INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
@@ -9783,8 +9817,8 @@ class OdometerConfig(Command[R]):
     Input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-GQ7-GNSS/INS.
-    Refused by 3DM-GX3-25.
+    `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS. Probably
+    supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -9810,7 +9844,9 @@ class OdometerConfig(Command[R]):
     the wheel.
     """
     uncertainty: float | None
-    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required for
+    `write`.
+    """
 
     def __init__(
         self,
@@ -9926,10 +9962,11 @@ class ImuLowPassFilter(Command[R]):
     Low-pass filter of one quantity of the sensor data.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `ImuLowPassFilterResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the
     3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
@@ -10128,12 +10165,13 @@ class ComplementaryFilter(Command[R]):
     estimation filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    3DM-GX5-25 and 3DM-GX5-45.
+    `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
+    and `sensor.CompEulerAngles`. Probably changes `sensor.NorthVector` and `sensor.UpVector`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by
+    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
     The heading follows the magnetometer, if the device has one. The device refuses time constants
@@ -10324,6 +10362,7 @@ class SensorRange(Command[R]):
     Measuring range of a sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
     Supported by 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
     3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
     3DM-GV7-INS.
@@ -10502,10 +10541,13 @@ class LowPassFilter(Command[R]):
     Low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassFilterResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the
-    3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
+    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS,
+    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the
+    3DM-CV7-AHRS: firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS:
+    firmware > 1.0.10.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.
@@ -10707,11 +10749,12 @@ class DataStreamFormat(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `DataStreamFormatResponse`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
     2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
-    SDK of 2014 restricts it to the 3DM-GX3-35.
+    SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write
+    require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+    `format`.
 
-    Both parameters are sent with every function. In the wrapped format, packets of the sensor
-    arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea`
-    and `gnss_data.ubx` for the receiver.
+    In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
+    and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
 
     - mip-sdk-2014: Data Stream Format (0x0C,0x60)
     - mscl: Data Stream Format (0x0C,0x60)
@@ -10841,7 +10884,8 @@ class DevicePowerState(Command[R]):
     3DM-GX3-25 and 3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication
     Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and
     the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is
-    assumed.
+    assumed. Uncertain: Whether `state` may be left out with functions other than write. The SDK of
+    2014 sends `device` with every function, and a 0 in place of `state`.
 
     - mip-sdk-2014: Device Power State (0x0C,0x61)
     - mscl: Device Power State (0x0C,0x61)

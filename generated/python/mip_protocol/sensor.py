@@ -20,25 +20,25 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """Accelerometer X axis. Bit 0."""
+    """Accelerometer X axis. Bit 0. Concerns `ScaledAccel`."""
     ACCEL_Y = 1 << 1
-    """Accelerometer Y axis. Bit 1."""
+    """Accelerometer Y axis. Bit 1. Concerns `ScaledAccel`."""
     ACCEL_Z = 1 << 2
-    """Accelerometer Z axis. Bit 2."""
+    """Accelerometer Z axis. Bit 2. Concerns `ScaledAccel`."""
     GYRO_X = 1 << 4
-    """Gyroscope X axis. Bit 4."""
+    """Gyroscope X axis. Bit 4. Concerns `ScaledGyro`."""
     GYRO_Y = 1 << 5
-    """Gyroscope Y axis. Bit 5."""
+    """Gyroscope Y axis. Bit 5. Concerns `ScaledGyro`."""
     GYRO_Z = 1 << 6
-    """Gyroscope Z axis. Bit 6."""
+    """Gyroscope Z axis. Bit 6. Concerns `ScaledGyro`."""
     MAG_X = 1 << 8
-    """Magnetometer X axis. Bit 8."""
+    """Magnetometer X axis. Bit 8. Concerns `ScaledMag`."""
     MAG_Y = 1 << 9
-    """Magnetometer Y axis. Bit 9."""
+    """Magnetometer Y axis. Bit 9. Concerns `ScaledMag`."""
     MAG_Z = 1 << 10
-    """Magnetometer Z axis. Bit 10."""
+    """Magnetometer Z axis. Bit 10. Concerns `ScaledMag`."""
     PRESSURE = 1 << 12
-    """Pressure sensor. Bit 12."""
+    """Pressure sensor. Bit 12. Concerns `ScaledPressure`."""
 
 
 @codec.open_flag(16)
@@ -191,6 +191,18 @@ class ScaledAccel(Data):
 
     Measured acceleration, temperature compensated.
 
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning`, `mip_3dm.AccelBias`, `mip_3dm.ImuLowPassFilter`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.SensorToVehicleRotationDcm` and `filter.SensorToVehicleRotationQuaternion`. Probably
+    changed by `mip_3dm.SensorRange`. Flagged by `types.Cv7BuiltInTest.ACCEL_FAULT` of
+    `types.Cv7BuiltInTest`, `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Cv7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
+    `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
     3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
@@ -214,7 +226,9 @@ class ScaledAccel(Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle."""
+    """Specific force: acceleration minus gravity. Elements: x, y, z. Unit: g. Frame: vehicle. At
+    rest and level: x 0, y 0, z -1.
+    """
 
     def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
         self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
@@ -239,12 +253,25 @@ class ScaledGyro(Data):
 
     Measured angular rate, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning`, `mip_3dm.GyroBias`, `mip_3dm.CaptureGyroBias`,
+    `mip_3dm.ImuLowPassFilter`, `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.SensorRange`. Flagged
+    by `types.Cv7BuiltInTest.GYRO_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and
+    `OverrangeFlags.GYRO_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably
+    supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
+    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR,
+    3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25,
+    3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -262,7 +289,9 @@ class ScaledGyro(Data):
     _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
-    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle."""
+    """Angular rate about each axis. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and
+    level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+    """
 
     def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
         self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
@@ -287,11 +316,25 @@ class ScaledMag(Data):
 
     Measured magnetic field, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.MagHardIronOffset`, `mip_3dm.MagSoftIronMatrix`, `mip_3dm.ImuLowPassFilter`,
+    `mip_3dm.LowPassFilter`, `filter.SensorToVehicleRotationEuler`, `filter.TareOrientation`,
+    `filter.MagCaptureAutoCalibration`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.ImuSignalConditioning`.
+    Flagged by `types.Gx5BuiltInTest.MAG_FAULT` of `types.Gx5BuiltInTest`,
+    `types.Cv7BuiltInTest.MAG_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of `OverrangeFlags` and
+    `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
+    3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
+    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -333,11 +376,17 @@ class DeltaTheta(Data):
 
     Time integral of the angular rate over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported
-    by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.GyroBias`,
+    `mip_3dm.CaptureGyroBias` and `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10, 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -355,7 +404,9 @@ class DeltaTheta(Data):
     _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle."""
+    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and
+    level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+    """
 
     def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
         self.delta_theta = codec.vector(delta_theta, types.Vector3f)
@@ -380,13 +431,20 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by
-    3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
-    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning`, `filter.SensorToVehicleRotationEuler`,
+    `filter.TareOrientation`, `filter.SensorToVehicleRotationDcm` and
+    `filter.SensorToVehicleRotationQuaternion`. Probably changed by `mip_3dm.AccelBias` and
+    `mip_3dm.ConingScullingEnable`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
+    Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35 and
+    3DM-GX5-45.
 
-    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. It includes gravity.
+    Divided by the period, z is -1 g on a device that is level and at rest.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -404,7 +462,9 @@ class DeltaVelocity(Data):
     _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle."""
+    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and
+    level: x 0, y 0.
+    """
 
     def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
         self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
@@ -429,11 +489,13 @@ class CompOrientationMatrix(Data):
 
     Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -455,7 +517,7 @@ class CompOrientationMatrix(Data):
 
     m: types.Matrix3f
     """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-    m31, m32, m33. Unit: 1. Frame: ned.
+    m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
 
     - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
@@ -483,11 +545,13 @@ class CompQuaternion(Data):
 
     Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
-    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
-    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -509,7 +573,7 @@ class CompQuaternion(Data):
 
     q: types.Quatf
     """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-    ned.
+    ned. At rest and level: x 0, y 0.
 
     - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
@@ -537,9 +601,11 @@ class CompOrientationUpdateMatrix(Data):
 
     Change of the attitude from the complementary filter as a matrix.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
-    profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
-    the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
+    `mip_3dm.SensorToVehicleTransformEuler`, `mip_3dm.SensorToVehicleTransformQuaternion` and
+    `mip_3dm.SensorToVehicleTransformDcm`. Not listed in any device profile. Known only from the MIP
+    SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of the change and the frames. The
+    SDK and the SDK of 2014 state the name and the layout only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -582,11 +648,14 @@ class CompEulerAngles(Data):
 
     Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    3DM-GX5-35 and 3DM-GX5-45.
+    Changed by `mip_3dm.SensorToVehicleTransformEuler`,
+    `mip_3dm.SensorToVehicleTransformQuaternion`, `mip_3dm.SensorToVehicleTransformDcm`,
+    `mip_3dm.ImuSignalConditioning` and `mip_3dm.ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
+    3DM-CV5-45, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    Uncertain: The ranges of the angles. Uncertain: which no source states.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -605,11 +674,17 @@ class CompEulerAngles(Data):
     _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest
+    and level: 0. Positive: right side down.
+    """
     pitch: float
-    """Pitch angle. Unit: rad. Frame: ned."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest
+    and level: 0. Positive: nose up.
+    """
     yaw: float
-    """Yaw angle. Unit: rad. Frame: ned."""
+    """Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+    clockwise seen from above.
+    """
 
     def __init__(self, roll: float, pitch: float, yaw: float) -> None:
         self.roll = roll
@@ -845,9 +920,10 @@ class NorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25,
-    3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25, 3DM-GX5-35 and 3DM-GX5-45.
+    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15. Probably supported
+    by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-35 and
+    3DM-GX5-45.
 
     Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
     sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
@@ -893,9 +969,10 @@ class UpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-15, 3DM-CL5-25,
-    3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45.
+    Probably changed by `mip_3dm.ComplementaryFilter`. Supported by 3DM-GX5-15 and 3DM-GX5-35.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+    3DM-GX5-45.
 
     At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
     a sensor-to-vehicle transformation changes.
@@ -916,7 +993,7 @@ class UpVector(Data):
 
     stabilized_accel: types.Vector3f
     """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-    sensor.
+    sensor. At rest and level: x 0, y 0, z -1.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
@@ -942,10 +1019,11 @@ class GpsTimestamp(Data):
 
     GPS time of the sensor data.
 
-    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported
-    by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-10, 3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. Probably supported by 3DM-CL5-10,
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25
+    and 3DM-GX5-45.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
     of the time of week is the time since the last pulse. Without external synchronization it is the
@@ -971,8 +1049,8 @@ class GpsTimestamp(Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
-    `valid_flags` is set.
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `types.SensorGpsTimestampFlags.TOW_VALID` of `valid_flags` is set.
 
     - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
       of `valid_flags` is set.
@@ -1049,7 +1127,7 @@ class TemperatureStatistics(Data):
     max_temperature: float
     """Highest temperature. Unit: degC."""
     mean_temperature: float
-    """Mean temperature. Unit: degC."""
+    """Mean of the temperatures inside the device. Unit: degC."""
 
     def __init__(
         self, min_temperature: float, max_temperature: float, mean_temperature: float
@@ -1123,11 +1201,19 @@ class ScaledPressure(Data):
 
     Measured ambient pressure, temperature compensated.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
-    3DM-GX5-35. Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-    3DM-CV7-INS, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR,
-    3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    3DM-GX5-25 and 3DM-GX5-45.
+    Changed by `mip_3dm.ImuLowPassFilter` and `mip_3dm.LowPassFilter`. Flagged by
+    `types.Gx5BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Gx5BuiltInTest`,
+    `types.Cv7BuiltInTest.PRESSURE_SENSOR_FAULT` of `types.Cv7BuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Cv7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
+    Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
+    3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
+    3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1169,9 +1255,9 @@ class OverrangeStatus(Data):
 
     Which sensor axes are near or outside their range.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
-    Refused by 3DM-GX5-25.
+    Probably changed by `mip_3dm.SensorRange`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. Refused by 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -1212,7 +1298,8 @@ class Odometer(Data):
 
     Speed measured by the wheel encoder.
 
-    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Also called `odometer_data`. Changed by `mip_3dm.OdometerConfig`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """
@@ -1236,8 +1323,8 @@ class Odometer(Data):
     m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is set.
     """
     uncertainty: float
-    """Uncertainty of the speed. Unit: m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is
-    set.
+    """Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `OdometerFlags.ODOMETER` of
+    `valid_flags` is set.
     """
     valid_flags: OdometerFlags
     """Whether the values are valid."""

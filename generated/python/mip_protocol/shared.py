@@ -185,8 +185,9 @@ class GpsTimestamp(Shared, Data):
 
     External time of the data as GPS time of week and week number.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported
-    by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
@@ -214,7 +215,9 @@ class GpsTimestamp(Shared, Data):
     )
 
     tow: float
-    """GPS time of week. Unit: s. Valid if `GpsTimestampFlags.TOW` of `valid_flags` is set."""
+    """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+    `GpsTimestampFlags.TOW` of `valid_flags` is set.
+    """
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimestampFlags.WEEK_NUMBER` of `valid_flags` is
     set.
@@ -386,9 +389,9 @@ class ExternalTimestamp(Shared, Data):
 
     Time of the data in the external clock domain.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS.
+    Changed by `base.GpsTimeUpdate`. Probably changed by `mip_3dm.PpsSourceControl`. Supported by
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
     valid when the external clock is synchronized through the PPS. Its epoch is that of the time

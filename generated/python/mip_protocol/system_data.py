@@ -91,9 +91,10 @@ class TimeSyncStatus(Data):
 
     Whether the device time is locked to the pulse per second.
 
-    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Changed by `mip_3dm.PpsSourceControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+    3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware >
+    1.0.10.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -138,9 +139,10 @@ class GpioState(Data):
 
     Levels of all user GPIO pins.
 
-    Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS,
-    3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and
-    3DM-GV7-INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+    Changed by `mip_3dm.GpioState`. Probably changed by `mip_3dm.GpioConfig`. Supported by
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS. Probably supported by 3DM-CV7-AHRS, 3DM-CV7-INS, 3DM-CX7-AHRS,
+    3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS. On the
+    3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
     sampled within one base period of this set. Levels are guaranteed to be valid only for pins that
@@ -186,7 +188,8 @@ class GpioAnalogValue(Data):
 
     Voltage at one GPIO pin.
 
-    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    Probably changed by `mip_3dm.GpioConfig`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     Only for pins that are configured as analog inputs.
 

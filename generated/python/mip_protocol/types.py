@@ -27,11 +27,11 @@ class Gx5BuiltInTest(IntFlag):
     IMU_COMM_FAULT = 1 << 8
     """No communication with the inertial sensor. Bit 8."""
     MAG_FAULT = 1 << 9
-    """Magnetometer fault, on devices that have one. Bit 9."""
+    """Magnetometer fault, on devices that have one. Bit 9. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_FAULT = 1 << 10
-    """Pressure sensor fault, on devices that have one. Bit 10."""
+    """Pressure sensor fault, on devices that have one. Bit 10. Concerns `sensor.ScaledPressure`."""
     SOLUTION_FAULT = 1 << 24
-    """Fault of the estimation filter solution. Bit 24."""
+    """Fault of the estimation filter solution. Bit 24. Concerns `filter.Reset`."""
 
 
 @codec.open_flag(32)
@@ -50,19 +50,21 @@ class Cv7BuiltInTest(IntFlag):
     BUFFER_OVERRUN = 1 << 3
     """A data buffer was full, usually because too much data is streamed. Bit 3."""
     ACCEL_FAULT = 1 << 12
-    """The accelerometer is damaged or does not work. Bit 12."""
+    """The accelerometer is damaged or does not work. Bit 12. Concerns `sensor.ScaledAccel`."""
     GYRO_FAULT = 1 << 13
-    """The gyroscope is damaged or does not work. Bit 13."""
+    """The gyroscope is damaged or does not work. Bit 13. Concerns `sensor.ScaledGyro`."""
     MAG_FAULT = 1 << 14
-    """The magnetometer is damaged or does not work. Bit 14."""
+    """The magnetometer is damaged or does not work. Bit 14. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_FAULT = 1 << 15
-    """The pressure sensor is damaged or does not work. Bit 15."""
+    """The pressure sensor is damaged or does not work. Bit 15. Concerns `sensor.ScaledPressure`."""
     CALIBRATION_ERROR = 1 << 18
     """At least one calibration table of the sensors is invalid. Bit 18."""
     GENERAL_IMU_FAULT = 1 << 19
     """A fault of the inertial sensor subsystem that no other bit covers. Bit 19."""
     FILTER_SOLUTION_FAULT = 1 << 22
-    """The filter output is invalid (not a number); reset the filter. Bit 22."""
+    """The filter output is invalid (not a number); reset the filter. Bit 22. Concerns
+    `filter.Reset`.
+    """
     GENERAL_FILTER_FAULT = 1 << 23
     """A fault of the filter subsystem that no other bit covers. Bit 23."""
 
@@ -117,35 +119,38 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Fault of the accelerometer calibration. Bit 36."""
+    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Fault of the gyroscope calibration. Bit 37."""
+    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Fault of the magnetometer calibration. Bit 38."""
+    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer failed to initialize. Bit 40."""
+    """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """An axis is near or outside the selected range. Bit 41."""
+    """An axis is near or outside the selected range. Bit 41. Concerns `sensor.ScaledAccel`."""
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The self test failed; updated by the commanded test. Bit 42."""
+    """The self test failed; updated by the commanded test. Bit 42. Concerns `sensor.ScaledAccel`.
+    """
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope failed to initialize. Bit 44."""
+    """The gyroscope failed to initialize. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """An axis is near or outside the selected range. Bit 45."""
+    """An axis is near or outside the selected range. Bit 45. Concerns `sensor.ScaledGyro`."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The self test failed; updated by the commanded test. Bit 46."""
+    """The self test failed; updated by the commanded test. Bit 46. Concerns `sensor.ScaledGyro`."""
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer failed to initialize. Bit 48."""
+    """The magnetometer failed to initialize. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """An axis is near or outside the supported range. Bit 49."""
+    """An axis is near or outside the supported range. Bit 49. Concerns `sensor.ScaledMag`."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The self test failed; updated by the commanded test. Bit 50."""
+    """The self test failed; updated by the commanded test. Bit 50. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor failed to initialize. Bit 52."""
+    """The pressure sensor failed to initialize. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure is outside the supported range. Bit 53."""
+    """The pressure is outside the supported range. Bit 53. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The self test failed; updated by the commanded test. Bit 54."""
+    """The self test failed; updated by the commanded test. Bit 54. Concerns
+    `sensor.ScaledPressure`.
+    """
     FACTORY_BITS_INVALID = 1 << 56
     """The device has lost its factory configuration. Bit 56."""
     FILTER_TIMING_OVERRUN = 1 << 66

@@ -29,13 +29,16 @@ bitfield! {
         /// No communication with the inertial sensor. Bit 8.
         IMU_COMM_FAULT: bool = 8,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// Magnetometer fault, on devices that have one. Bit 9.
+        /// Magnetometer fault, on devices that have one. Bit 9. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_FAULT: bool = 9,
             mag_fault, set_mag_fault, with_mag_fault;
-        /// Pressure sensor fault, on devices that have one. Bit 10.
+        /// Pressure sensor fault, on devices that have one. Bit 10. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_FAULT: bool = 10,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
-        /// Fault of the estimation filter solution. Bit 24.
+        /// Fault of the estimation filter solution. Bit 24. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         SOLUTION_FAULT: bool = 24,
             solution_fault, set_solution_fault, with_solution_fault;
     }
@@ -58,16 +61,20 @@ bitfield! {
         /// A data buffer was full, usually because too much data is streamed. Bit 3.
         BUFFER_OVERRUN: bool = 3,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The accelerometer is damaged or does not work. Bit 12.
+        /// The accelerometer is damaged or does not work. Bit 12. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_FAULT: bool = 12,
             accel_fault, set_accel_fault, with_accel_fault;
-        /// The gyroscope is damaged or does not work. Bit 13.
+        /// The gyroscope is damaged or does not work. Bit 13. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_FAULT: bool = 13,
             gyro_fault, set_gyro_fault, with_gyro_fault;
-        /// The magnetometer is damaged or does not work. Bit 14.
+        /// The magnetometer is damaged or does not work. Bit 14. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_FAULT: bool = 14,
             mag_fault, set_mag_fault, with_mag_fault;
-        /// The pressure sensor is damaged or does not work. Bit 15.
+        /// The pressure sensor is damaged or does not work. Bit 15. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_FAULT: bool = 15,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
         /// At least one calibration table of the sensors is invalid. Bit 18.
@@ -76,7 +83,8 @@ bitfield! {
         /// A fault of the inertial sensor subsystem that no other bit covers. Bit 19.
         GENERAL_IMU_FAULT: bool = 19,
             general_imu_fault, set_general_imu_fault, with_general_imu_fault;
-        /// The filter output is invalid (not a number); reset the filter. Bit 22.
+        /// The filter output is invalid (not a number); reset the filter. Bit 22. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         FILTER_SOLUTION_FAULT: bool = 22,
             filter_solution_fault, set_filter_solution_fault, with_filter_solution_fault;
         /// A fault of the filter subsystem that no other bit covers. Bit 23.
@@ -152,49 +160,64 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Fault of the accelerometer calibration. Bit 36.
+        /// Fault of the accelerometer calibration. Bit 36. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Fault of the gyroscope calibration. Bit 37.
+        /// Fault of the gyroscope calibration. Bit 37. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Fault of the magnetometer calibration. Bit 38.
+        /// Fault of the magnetometer calibration. Bit 38. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer failed to initialize. Bit 40.
+        /// The accelerometer failed to initialize. Bit 40. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// An axis is near or outside the selected range. Bit 41.
+        /// An axis is near or outside the selected range. Bit 41. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The self test failed; updated by the commanded test. Bit 42.
+        /// The self test failed; updated by the commanded test. Bit 42. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope failed to initialize. Bit 44.
+        /// The gyroscope failed to initialize. Bit 44. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// An axis is near or outside the selected range. Bit 45.
+        /// An axis is near or outside the selected range. Bit 45. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The self test failed; updated by the commanded test. Bit 46.
+        /// The self test failed; updated by the commanded test. Bit 46. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer failed to initialize. Bit 48.
+        /// The magnetometer failed to initialize. Bit 48. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// An axis is near or outside the supported range. Bit 49.
+        /// An axis is near or outside the supported range. Bit 49. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The self test failed; updated by the commanded test. Bit 50.
+        /// The self test failed; updated by the commanded test. Bit 50. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor failed to initialize. Bit 52.
+        /// The pressure sensor failed to initialize. Bit 52. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure is outside the supported range. Bit 53.
+        /// The pressure is outside the supported range. Bit 53. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The self test failed; updated by the commanded test. Bit 54.
+        /// The self test failed; updated by the commanded test. Bit 54. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The device has lost its factory configuration. Bit 56.

@@ -24,9 +24,10 @@ Verdict = Literal["same", "compatible", "source", "wire"]
 
 #: Facts that may change, for a list of changes to ignore.
 CLASSES: Final = (
-    "added", "bound", "condition", "constant", "default", "deprecated", "description", "devices", "documentation",
-    "frame", "functions", "language", "layout", "magnitude", "name", "profile", "range", "reading", "removed",
-    "responses", "short name", "type", "typical value", "unit", "unknown", "valid", "value", "value to send", "values",
+    "added", "affects", "bound", "concerns", "condition", "constant", "default", "deprecated", "description", "devices",
+    "documentation", "frame", "functions", "language", "layout", "magnitude", "name", "profile", "range", "reading",
+    "removed", "responses", "short name", "sign", "type", "typical value", "unit", "unknown", "valid", "value",
+    "value to send", "values",
 )  # fmt: skip
 
 #: From harmless to worst.
@@ -246,6 +247,11 @@ def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Chan
         yield Change("wire", "condition", name, "answers under other conditions")
     if old.devices != new.devices:
         yield Change("compatible", "devices", name, "a layout of other devices")
+    relations: dict[str, tuple[object, object]] = {
+        "affects": (old.affects, new.affects),
+        "may affect": (old.may_affect, new.may_affect),
+    }
+    yield from _differences("compatible", name, relations, "affects")
     if old.deprecated != new.deprecated:
         yield Change("compatible", "deprecated", name, "deprecated" if new.deprecated else "no longer deprecated")
     if _texts(old) != _texts(new):
@@ -313,6 +319,10 @@ def _parameters(
             "valid": (a.valid, b.valid),
         }
         yield from _differences("wire", subject, meaning)
+        known: Verdict = "wire" if a.at_rest or a.positive else "compatible"
+        yield from _differences(
+            known, subject, {"at rest": (a.at_rest, b.at_rest), "positive": (a.positive, b.positive)}, "sign"
+        )
         harmless = {
             "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
             "bound": ((a.above, a.below), (b.above, b.below)),
@@ -419,6 +429,12 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
                 name, {(b.first, b.last): b.name for b in old.bits}, {(b.first, b.last): b.name for b in new.bits}
             )
             yield from _shortened(name, old.bits, new.bits)
+            before = {b.name: b.concerns for b in old.bits}
+            for b in new.bits:
+                if b.name in before:
+                    yield from _differences(
+                        "compatible", f"{name}.{b.name}", {"concerns": (before[b.name], b.concerns)}
+                    )
         case m.Struct(), m.Struct():
             if _wire(old) == _wire(new):  # otherwise the fields report it
                 yield from _parameters(name, old.parameters, new.parameters)

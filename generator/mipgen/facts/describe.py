@@ -11,7 +11,7 @@ from mipgen.base.reads import Memo
 
 from . import fields, parameters
 from .devices import device, evidence, known, lengths, why
-from .fields import condition, conditions
+from .fields import changed, condition, conditions
 from .measures import default, limits
 from .parameters import case
 from .parts import bits, bits_place, type, value
@@ -27,6 +27,7 @@ __all__ = [
     "bits",
     "bits_place",
     "case",
+    "changed",
     "condition",
     "conditions",
     "default",

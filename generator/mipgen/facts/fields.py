@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from mipgen import model as m
 
 from .remarks import remarks
-from .texts import Fact, Ref, Text, device_ref, fact, field_ref, functions, joined, number, prose
+from .texts import Fact, Ref, Text, device_ref, fact, field_ref, functions, joined, number, prose, thing_ref
 
 
 def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
@@ -15,6 +15,7 @@ def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
     yield from _status(f, model)
     yield from _exchange(f, model)
     yield from _conditions(f, model)
+    yield from _relations(f, model)
     yield from _limits(f)
     yield from _devices(f, model)
     yield from _evidence(f, model)
@@ -28,7 +29,7 @@ def _status(f: m.Field, model: m.Model) -> Iterator[Fact]:
         yield fact("advanced", (), "For advanced use.")
     if len(f.occurrences) > 1:
         sets = [s for s in model.sets if s.number in f.sets]
-        yield fact("sets", joined([(Ref(s, f"{s.name} (0x{s.number:02X})"),) for s in sets]), "Occurs in {}.")
+        yield fact("sets", joined([(thing_ref(s),) for s in sets]), "Occurs in {}.")
     if f.also:
         yield fact("also", joined([(f"`{name}`",) for name in f.also]), "Also called {}.")
 
@@ -58,6 +59,27 @@ def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
         yield fact("silent", _setting(c, model), "Not acknowledged if {}.")
     if f.sent_by == "device":
         yield fact("sent_by", (), "Sent by the device; the host answers.")
+
+
+def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """What it changes, what changes it, and which flags are about it."""
+    for certain, topic, word in ((True, "affects", "Changes"), (False, "may_affect", "Probably changes")):
+        things = model.affected(f, certain)
+        if things:
+            yield fact(topic, joined([(thing_ref(x),) for x in things]), f"{word} {{}}.")
+    yield from changed(f, model)
+    flags = model.flagged_by(f)
+    if flags:
+        bits = [(Ref(b, b.name, t), " of ", Ref(t, t.name)) for t, b in flags]
+        yield fact("flags", joined(bits), "Flagged by {}.")
+
+
+def changed(thing: m.Field | m.Set, model: m.Model) -> Iterator[Fact]:
+    """The commands that change a data field, or all fields of a set."""
+    for certain, word in ((True, "Changed by"), (False, "Probably changed by")):
+        commands = model.changed_by(thing, certain)
+        if commands:
+            yield fact("affected", joined([(field_ref(c),) for c in commands]), f"{word} {{}}.")
 
 
 def _limits(f: m.Field) -> Iterator[Fact]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from mipgen import model as m
 
 from . import descriptors
-from .texts import Fact, Ref, Text, fact, interleaved, joined, number
+from .texts import Fact, Ref, Text, fact, interleaved, joined, number, prose
 
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -26,8 +26,20 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
         bounds = ", ".join(filter(None, (bounds, f"magnitude {limits(*of.magnitude)}")))
     if bounds:
         yield fact("range", (bounds,), "Range: {}.")
+    if isinstance(of, m.Parameter) and of.at_rest:
+        yield fact("at_rest", (rest(of),), "At rest and level: {}.")
+    if isinstance(of, m.Parameter) and of.positive:
+        yield fact("positive", prose(of.positive, model), "Positive: {}.")
     if of.default is not None:
         yield fact("default", default(of.default, p), "Default: {}.")
+
+
+def rest(p: m.Parameter) -> str:
+    """What a level device at rest shows: "x 0, y 0, z -1"."""
+    if not p.elements:
+        return number(p.at_rest[0])
+    pairs = zip(p.elements, p.at_rest, strict=True)
+    return ", ".join(f"{name} {number(value)}" for name, value in pairs if value is not None)
 
 
 Bound = float | int | None

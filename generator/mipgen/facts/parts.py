@@ -5,7 +5,7 @@ from __future__ import annotations
 from mipgen import model as m
 
 from .remarks import uncertain
-from .texts import Fact, Ref, fact
+from .texts import Fact, Ref, fact, field_ref, joined
 
 
 def bits_place(b: m.Bits) -> str:
@@ -28,6 +28,9 @@ def bits(b: m.Bits, model: m.Model) -> list[Fact]:
         facts.append(fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
     if b.alias:
         facts.append(fact("alias", (), "Overlaps other bits."))
+    about = [f for name in b.concerns if (f := model.field(name)) is not None]
+    if about:
+        facts.append(fact("concerns", joined([(field_ref(f),) for f in about]), "Concerns {}."))
     return facts + uncertain(b, model)
 
 

@@ -151,6 +151,11 @@ def field_ref(f: m.Field) -> Ref:
     return Ref(f, f.full_name)
 
 
+def thing_ref(x: m.Field | m.Set) -> Ref:
+    """A field, or a set."""
+    return field_ref(x) if isinstance(x, m.Field) else Ref(x, f"{x.name} (0x{x.number:02X})")
+
+
 def device_ref(d: m.Device) -> Ref:
     return Ref(d, d.title)
 

@@ -46,7 +46,7 @@ from .fields import (
     Set,
 )
 from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, groups
-from .protocol import OWN_PACKAGE, Chapter, Clock, Protocol, Usage, Word
+from .protocol import OWN_PACKAGE, Chapter, Clock, Conversion, Protocol, Usage, Word
 from .specification import Model
 from .types import (
     SCALARS,
@@ -88,6 +88,7 @@ __all__ = [
     "Claim",
     "Clock",
     "Condition",
+    "Conversion",
     "Device",
     "DeviceVariant",
     "Enum",

@@ -136,6 +136,8 @@ class Field:
     sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
     silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
     everywhere: range | None = None  # the sets of a rule: every command set, every data set
+    affects: Detail[tuple[str, ...]] = ()  # of a command: the data fields, or whole sets, that it changes
+    may_affect: Detail[tuple[str, ...]] = ()  # the same, inferred
     max_rate: Detail[float | None] = None
     timeout: Detail[float | None] = None
     advanced: bool = False

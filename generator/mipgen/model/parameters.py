@@ -100,6 +100,8 @@ class Parameter:
     above: Detail[float | int | None] = None  # open bounds: the value is greater than `above`, less than `below`
     below: Detail[float | int | None] = None
     magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # least and most length of a vector
+    at_rest: Detail[tuple[float | int | None, ...]] = ()  # what a level device at rest shows, for each element or one
+    positive: Prose = ""  # what a positive value means: "nose up"
     default: Detail[object] = None
     typical: Detail[object] = None  # what a user would send or see, in the form of the codec; of a structure, members
     shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field

@@ -16,6 +16,17 @@ OWN_PACKAGE = "mip"
 
 
 @dataclass(frozen=True, slots=True)
+class Conversion:
+    """From a frame to one that other software uses in its place."""
+
+    name: str
+    title: Prose
+    axes: tuple[str, ...]  # where x, y and z point there
+    values: tuple[str, ...]  # x, y and z there, by the elements of a vector in the frame: ("y", "x", "-z")
+    description: Prose
+
+
+@dataclass(frozen=True, slots=True)
 class Word:
     """An entry of a controlled vocabulary: a unit or a frame of reference."""
 
@@ -25,6 +36,10 @@ class Word:
     plural: Detail[str] = ""  # of a unit that is a word: what more than one are called
     numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
     elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
+    axes: Detail[tuple[str, ...]] = ()  # of a frame: where x, y and z point; right-handed
+    origin: Prose = ""  # of a frame: where it is
+    conversions: Detail[tuple[Conversion, ...]] = ()  # of a frame: to those that other software uses
+    sources: tuple[Source, ...] = ()  # of a frame
 
 
 @dataclass(frozen=True, slots=True)

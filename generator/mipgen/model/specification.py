@@ -14,7 +14,7 @@ from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Reply, Set
 from .guides import Guide
 from .protocol import Protocol
 from .simulation import Simulation
-from .types import Function, Type
+from .types import Bitfield, Bits, Function, Type
 
 Key = TypeVar("Key")
 Item = TypeVar("Item")
@@ -153,6 +153,24 @@ class Model:
         names = known if certain else {d.id for d, _ in found} - known
         return tuple(d for d in self.devices if d.id in names)
 
+    def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
+        """What a command changes: data fields, and sets all of whose fields may change. A part of a specification
+        has not all of them."""
+        named = command.affects if certain else command.may_affect
+        found: list[Field | Set] = []
+        for name in named:
+            f = self._fields.get(name)
+            found += [f] if f else [s for s in self.sets if name in (s.name, s.family)]
+        return tuple(found)
+
+    def changed_by(self, thing: Field | Set, certain: bool = True) -> tuple[Field, ...]:
+        """The commands that change a data field, or all fields of a set."""
+        return (self._changes if certain else self._may_change).get(_name(thing), ())
+
+    def flagged_by(self, f: Field) -> tuple[tuple[Bitfield, Bits], ...]:
+        """The bits that are about a field."""
+        return self._flags.get(f.full_name, ())
+
     def taken(self, command: Field) -> tuple[Function, ...]:
         """The functions that at least one device takes; all of them where no device is known."""
         found = [x for _, s in self.supports(command) for x in s.functions]
@@ -198,12 +216,30 @@ class Model:
         return _grouped((f"{f.family}.{name}", f) for f in self.fields for name in f.responses)
 
     @kept
+    def _changes(self) -> dict[str, tuple[Field, ...]]:
+        return _grouped((_name(x), f) for f in self.fields for x in dict.fromkeys(self.affected(f)))
+
+    @kept
+    def _may_change(self) -> dict[str, tuple[Field, ...]]:
+        return _grouped((_name(x), f) for f in self.fields for x in dict.fromkeys(self.affected(f, certain=False)))
+
+    @kept
+    def _flags(self) -> dict[str, tuple[tuple[Bitfield, Bits], ...]]:
+        flags = ((t, b) for t in self.all_types if isinstance(t, Bitfield) for b in t.bits)
+        named = ((t, b, self._fields.get(name)) for t, b in flags for name in b.concerns)
+        return _grouped((f.full_name, (t, b)) for t, b, f in named if f is not None)
+
+    @kept
     def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
         return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
 
     @kept
     def _refusing(self) -> dict[str, tuple[str, ...]]:
         return _grouped((s.field.full_name, d.id) for d in self.devices for s in d.refuses)
+
+
+def _name(thing: Field | Set) -> str:
+    return thing.full_name if isinstance(thing, Field) else thing.name
 
 
 def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:

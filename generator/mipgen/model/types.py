@@ -86,6 +86,7 @@ class Bits:
     description: Prose
     alias: bool  # intentionally overlaps other bits
     enum: Enum | None = None
+    concerns: Detail[tuple[str, ...]] = ()  # full names of the fields or commands that it is about
     uncertain: tuple[Prose, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)

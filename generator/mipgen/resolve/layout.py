@@ -130,7 +130,8 @@ class Layout:
         named = Node({**node.value, "name": node.get("name") or Node(label, place)}, place, node.keys)
         alone = Layout(self.types, self.owner, plain=True, before=self.least)
         alone.add(named)
-        return next(iter(alone.finish().parameters), None)
+        found = next(iter(alone.finish().parameters), None)
+        return replace(found, description=node.scalar("description", "")) if found else None
 
     def value(self, node: Node) -> m.Parameter | None:
         name = node["name"].value
@@ -188,6 +189,7 @@ class Layout:
     def meaning(self, node: Node, p: m.Parameter) -> m.Parameter:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
+        named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
         low, high = meaning.limits(node, p, self.problem)
         above, below = meaning.open_limits(node, p, low, high, self.problem)
         magnitude = meaning.magnitude(node, p, self.problem)
@@ -201,10 +203,12 @@ class Layout:
         return replace(
             p,
             reserved=meaning.reserved(node, p, self.problem),
-            description=node.scalar("description", ""),
+            description=node.scalar("description", named.description if named else ""),
             units=meaning.units(node, p, words.units, self.problem),
             any_unit="unit" in node and node["unit"].value is None,
             frame=frame,
+            at_rest=meaning.at_rest(node, p, self.problem),
+            positive=node.scalar("positive", ""),
             default=meaning.default(node, p, self.problem),
             shown=node.scalar("shown"),
             fields_of=node.scalar("fields_of", ""),

@@ -15,7 +15,7 @@ from mipgen.read.documents import Document
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-from . import checks, devices, evidence, guides, simulation
+from . import checks, devices, evidence, frames, guides, simulation
 from .sets import Families
 from .types import Types
 from .vocabulary import Vocabulary, sources
@@ -156,7 +156,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         ack_code=codes[0],
         function_selector=types.vocabulary.selector,
         units=_words(root["units"]),
-        frames=_words(root["frames"]),
+        frames=frames.resolve(root["frames"], types.vocabulary, problems),
         manuals=tuple(types.vocabulary.manuals.values()),
         notes=tuple(
             m.Chapter(n["title"].value, tuple(n["text"].plain()), sources(n, types.vocabulary, problems))
@@ -205,7 +205,6 @@ def _words(node: Node) -> tuple[m.Word, ...]:
             description=n.scalar("description", ""),
             plural=n.scalar("plural", ""),
             numbered=n.scalar("numbered", False),
-            elements=_names(n.get("elements")),
         )
         for symbol, n in node.items()
     )

@@ -176,6 +176,28 @@ def default(node: Node, p: m.Parameter, problem: Problem) -> object:
     return value
 
 
+def at_rest(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, ...]:
+    """What a device shows that lies level and does not move: one number, or one for each element of a vector."""
+    given = node.get("at_rest")
+    if given is None:
+        return ()
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char") or p.length is not None:
+        problem(node.keys["at_rest"], f"'{p.name}' is neither a number nor a vector, so it has no 'at_rest'; remove it")
+        return ()
+    entries = list(given) if isinstance(given.value, list) else [given]
+    width = len(p.element.elements) if isinstance(p.element, m.Vector) else 1
+    if len(entries) != width or isinstance(given.value, list) != isinstance(p.element, m.Vector):
+        wanted = f"a list of {width} numbers" if isinstance(p.element, m.Vector) else "a number"
+        problem(given.position, f"the value of '{p.name}' at rest must be {wanted}")
+        return ()
+    check = _Default(p, problem, "value at rest")
+    for entry in entries:
+        if entry.value is not None:
+            check.number(entry, scalar)
+    return tuple(entry.value for entry in entries)
+
+
 def check_default(given: Node, p: m.Parameter, problem: Problem) -> None:
     """Reports a value that the parameter cannot have."""
     _Default(p, problem).check(given)

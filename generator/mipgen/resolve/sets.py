@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from mipgen import model as m
@@ -14,7 +15,7 @@ from .vocabulary import sentences, short_name, sources
 ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
 
 #: Keys of a field that suit one role only.
-COMMAND_KEYS = ("functions", "responses", "silent_when", "sent_by", "timeout")
+COMMAND_KEYS = ("affects", "functions", "may_affect", "responses", "silent_when", "sent_by", "timeout")
 DATA_KEYS = ("max_rate",)
 
 
@@ -23,6 +24,7 @@ class Families:
     types: Types
     problems: Problems
     silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
+    changes: list[Node] = field(default_factory=list)  # commands that say what they change
 
     def resolve(self, nodes: list[Node]) -> tuple[m.Family, ...]:
         families: dict[str, m.Family] = {}
@@ -37,6 +39,7 @@ class Families:
         for s in (s for x in families.values() for s in x.sets):
             if homes.setdefault(s.name, s.family) != s.family:
                 self.problems.add(s.position, f"two sets are called '{s.name}'; rename one")
+        self.related([f for x in families.values() for f in x.fields], homes)
         return self.silenced(sorted(families.values(), key=lambda x: x.number))
 
     def family(self, node: Node) -> m.Family:
@@ -128,17 +131,20 @@ class Families:
         occurrences = places.of(node)
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
-            title=node["title"].value, description=node["description"].value,
+            title=_title(node), description=node["description"].value,
             parameters=record.parameters,
             min_size=record.min_size, max_size=record.max_size,
             sources=places.cited(node, occurrences),
             functions=functions, everywhere=m.DATA_SETS if kind == "shared" else None,
+            affects=sentences(node, "affects"), may_affect=sentences(node, "may_affect"),
             max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
             sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=sentences(node, "keywords"),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, node["name"].value, self.problems), position=node.position,
         )  # fmt: skip
+        if role == m.COMMAND and ("affects" in node or "may_affect" in node):
+            self.changes.append(node)
         if role == m.COMMAND and "silent_when" in node:
             self.silences[command.full_name] = node["silent_when"]
         responses, names = [], []
@@ -260,6 +266,28 @@ class Families:
             self.problems.add(entry.position, f"'{name}' must be {wanted}")
         return None
 
+    # ----------------------------------------------------------------------- relations
+
+    def related(self, fields: Sequence[m.Field], sets: Collection[str]) -> None:
+        """What commands change, and what bits concern, must exist; a command names each thing once."""
+        names = {name: f.role for f in fields for name in (f.full_name, *(f.name_in(o.set) for o in f.occurrences))}
+        data = [name for name, role in names.items() if role == m.DATA]
+        for node in self.changes:
+            said: set[str] = set()
+            for entry in (*(node.get("affects") or ()), *(node.get("may_affect") or ())):
+                if entry.value not in sets and entry.value not in data:
+                    near = nearest(entry.value, data if "." in entry.value else sets)
+                    self.problems.add(entry.position, f"no data field or set '{entry.value}'{near}")
+                elif entry.value in said or entry.value.partition(".")[0] in said:
+                    self.problems.add(
+                        entry.position, f"the command already says that it changes '{entry.value}'; remove it"
+                    )
+                said.add(entry.value)
+        for entry in self.types.concerned:
+            if names.get(entry.value) not in (m.COMMAND, m.DATA):
+                near = nearest(entry.value, [name for name, role in names.items() if role != m.RESPONSE])
+                self.problems.add(entry.position, f"no command or data field '{entry.value}'{near}")
+
     def silenced(self, families: list[m.Family]) -> tuple[m.Family, ...]:
         """The same families, with what keeps commands from being acknowledged: it may be a setting of any command."""
         commands = {f.full_name: f for x in families for f in x.fields if f.role == m.COMMAND}
@@ -299,11 +327,16 @@ class Families:
                 continue
             named.append(
                 m.Named(
-                    entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
+                    entry[roles[0]].value, roles[0], entry["name"].value, _title(entry),
                     sources(entry, self.types.vocabulary, self.problems), entry.position,
                 )
             )  # fmt: skip
         return tuple(sorted(named, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
+
+
+def _title(node: Node) -> str:
+    """What it is called in headings: its name in words, if nothing else."""
+    return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
 
 
 def _first(node: Node) -> int:
@@ -325,7 +358,7 @@ class _Places:
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
         """The sets of a field, with what it has of its own in each."""
-        title, cited = node["title"].value, sources(node, self.types.vocabulary, self.problems)
+        title, cited = _title(node), sources(node, self.types.vocabulary, self.problems)
         own = node.get("in")
         if not self.several:
             for key in ("in", "only"):

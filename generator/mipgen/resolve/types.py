@@ -28,6 +28,7 @@ class Types:
     shared: dict[str, Node] = field(default_factory=dict)
     local: dict[str, dict[str, Node]] = field(default_factory=dict)
     parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
+    concerned: list[Node] = field(default_factory=list)  # what bits concern, judged once all fields are known
     _included: set[tuple[str, str]] = field(default_factory=set)
     _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
@@ -158,7 +159,9 @@ class Types:
             enum = self._enum_of(entry, owner)
             description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
             uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
-            several.append(m.Bits(name, low, high, description, alias, enum, uncertain, short, place))
+            concerns = sentences(entry, "concerns")
+            self.concerned += entry.get("concerns") or ()
+            several.append(m.Bits(name, low, high, description, alias, enum, concerns, uncertain, short, place))
         return tuple(several)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:

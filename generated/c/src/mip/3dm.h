@@ -202,8 +202,9 @@ struct mip_3dm_event_action_status_entry {
 };
 
 /**
- * Motion that a GNSS receiver assumes. Uncertain: The values 1 to 8. The SDK of 2014 numbers the
- * modes 0 to 8; u-blox receivers have the same modes as 0 and 2 to 8.
+ * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the
+ * modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do. Uncertain: The
+ * descriptions. The sources have names only; what is said of each mode is inferred from its name.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -232,7 +233,9 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
 MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
- * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits.
+ * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
+ * The descriptions. The sources have names only; what is said of each bit is inferred from its
+ * name.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -375,9 +378,9 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
     MIP_3DM_SENSOR_POWER_STATE_ON = 1,
     /** On with reduced power. */
     MIP_3DM_SENSOR_POWER_STATE_LOW_POWER = 2,
-    /** Asleep. */
+    /** Very low power; starts quickly. */
     MIP_3DM_SENSOR_POWER_STATE_SLEEP = 3,
-    /** Off. */
+    /** Off or in deep sleep. */
     MIP_3DM_SENSOR_POWER_STATE_OFF = 4
 };
 
@@ -1971,6 +1974,8 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * Devices of the generations 3 to 5 identify the stream by a number (enum
  * mip_3dm_legacy_data_stream), other devices by its descriptor set.
  *
+ * A stream that you enable begins with current data, not with data from the time before.
+ *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
@@ -2252,9 +2257,10 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The
- * factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and
- * QZSS too.
+ * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
+ * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels
+ * for SBAS and QZSS too.
  *
  * The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
  * must not be less than the number of channels it reserves.
@@ -2412,7 +2418,8 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2750,11 +2757,11 @@ struct mip_3dm_gnss_time_assistance {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** GPS time of week. Unit: s. Required for write. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write. */
     double tow;
     /** GPS week number since 1980. Unit: week. Required for write. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. Required for write. */
+    /** Accuracy of the time. Unit: s. Range: at least 0. Required for write. */
     float accuracy;
 };
 
@@ -2782,9 +2789,9 @@ static inline mip_error mip_3dm_gnss_time_assistance_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - tow: GPS time of week. Unit: s. Required for write.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
  * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Accuracy of the time. Unit: s. Required for write.
+ * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
  */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
@@ -2813,11 +2820,11 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance_response {
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number since 1980. Unit: week. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. */
+    /** Accuracy of the time. Unit: s. Range: at least 0. */
     float accuracy;
 };
 
@@ -2879,7 +2886,9 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Where the device takes its pulse per second from.
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_pps_source_control_response. Changes mip_system_data_time_sync_status. Probably changes
+ * mip_shared_gps_timestamp, mip_shared_external_timestamp and mip_sensor_gps_timestamp. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured separately, by mip_3dm_gpio_config.
  *
@@ -4017,8 +4026,13 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * Full name: 3dm.sensor_to_vehicle_transform_euler.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_euler_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_quaternion and mip_3dm_sensor_to_vehicle_dcm set the same
  * transformation; the value read back may be another form of it.
@@ -4028,11 +4042,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
  *
- * It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
- * gravity of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * On some older devices the setting is the inverse rotation.
  *
@@ -4200,8 +4210,13 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * Full name: 3dm.sensor_to_vehicle_transform_quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Changes
+ * mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta,
+ * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
+ * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * mip_filter_data_euler_angles, mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_dcm set the same transformation;
  * the value read back may be another form of it.
@@ -4209,12 +4224,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
- * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
- * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
- * vector of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -4378,7 +4388,13 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * Full name: 3dm.sensor_to_vehicle_transform_dcm.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel and
+ * mip_sensor_comp_orientation_update_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_quaternion set the same
  * transformation; the value read back may be another form of it.
@@ -4386,12 +4402,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
  *
- * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
- * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
- * vector of the filter.
- *
- * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
- * start anew.
+ * Every change resets the complementary filter, the estimation filter and all low-pass filters.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -4549,9 +4560,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_gps_dynamics_mode_response. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example
- * for the 3DM-GX3-35 only.
+ * mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
+ * mip_gnss_data_ned_velocity. Known only from the MIP SDK of 2014 and MicroStrain Communication
+ * Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  * - mscl: GPS Dynamics Mode (0x0C,0x34)
@@ -4698,7 +4710,10 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_imu_signal_conditioning_response. Known only from the MIP SDK of 2014 and MicroStrain
+ * mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
+ * Probably changes mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
  * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
  * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
@@ -5077,9 +5092,10 @@ static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
- * only.
+ * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
+ * mip_sensor_delta_velocity and mip_filter_data_accel_bias. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
+ * write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -5247,10 +5263,11 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and
- * default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * mip_sensor_delta_theta and mip_filter_data_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
+ * write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save, load and default
+ * only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5417,9 +5434,10 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * mip_sensor_delta_theta and mip_filter_data_gyro_bias. The device may take 31 s to answer.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
  *
@@ -5502,10 +5520,10 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * Offset that corrects the scaled magnetic field for hard iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
- * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_hard_iron_offset_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5681,10 +5699,10 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
  * Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
- * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_mag_soft_iron_matrix_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -5863,8 +5881,8 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  * Switches the compensation of coning and sculling on or off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * mip_3dm_coning_sculling_enable_response. Probably changes mip_sensor_delta_theta and
+ * mip_sensor_delta_velocity. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -6167,7 +6185,8 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Probably changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -6393,8 +6412,8 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by 3DM-CV7-GNSS/INS
- * and 3DM-GQ7-GNSS/INS.
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Changes
+ * mip_system_data_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * A read returns the level of the pin itself.
  *
@@ -6540,7 +6559,7 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  * Input from a wheel encoder.
  *
  * Also called `odometer`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_odometer_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_odometer_config_response. Changes mip_sensor_odometer. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -6561,7 +6580,9 @@ struct mip_3dm_odometer_config {
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write. */
+    /**
+     * Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required for write.
+     */
     float uncertainty;
 };
 
@@ -6593,7 +6614,8 @@ static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odom
  * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
  *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
  *   wheel.
- * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
+ *   for write.
  */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
@@ -6650,7 +6672,7 @@ struct mip_3dm_odometer_config_response {
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. */
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. */
     float uncertainty;
 };
 
@@ -6712,13 +6734,14 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  * Low-pass filter of one quantity of the sensor data.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the
- * 3DM-CV7-AR: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use
- * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter
- * instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR: firmware <= 1.0.07. On the
- * 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
+ * default. Answered by mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter
+ * instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter instead. Deprecated on the
+ * 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
+ * mip_3dm_low_pass_filter instead. On the 3DM-CV7-AHRS: firmware <= 1.0.07. On the 3DM-CV7-AR:
+ * firmware <= 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware <= 1.0.10.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -6952,8 +6975,10 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  * estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35.
+ * mip_3dm_complementary_filter_response. Changes mip_sensor_comp_orientation_matrix,
+ * mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles. Probably changes
+ * mip_sensor_north_vector and mip_sensor_up_vector. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
  *
@@ -7153,6 +7178,7 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * Measuring range of a sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
+ * Probably changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may refuse other settings, or
@@ -7449,9 +7475,11 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
- * 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the 3DM-CV7-AR: firmware > 1.0.07.
- * On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
+ * mip_3dm_low_pass_filter_response. Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
+ * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
+ * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On the
+ * 3DM-CV7-AR: firmware > 1.0.07. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.
@@ -7670,9 +7698,8 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
- * it to the 3DM-GX3-35.
- *
- * Both parameters are sent with every function.
+ * it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
+ * 2014 sends both parameters with every function, and a 0 in place of `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7866,7 +7893,9 @@ static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
  * mip_3dm_device_power_state_response. The device may take 5 s to answer. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
  * the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014
- * uses a longer one than usual; 5 s is assumed.
+ * uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left out with
+ * functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in place
+ * of `state`.
  *
  * - mip-sdk-2014: Device Power State (0x0C,0x61)
  * - mscl: Device Power State (0x0C,0x61)

@@ -1160,9 +1160,9 @@ static inline mip_error mip_send_3dm_gnss_time_assistance(
 /**
  * GNSS Time Assistance: write. Apply the new setting. See mip_device_call.
  *
- * - tow: GPS time of week. Unit: s. Required for write.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
  * - week_number: GPS week number since 1980. Unit: week. Required for write.
- * - accuracy: Accuracy of the time. Unit: s. Required for write.
+ * - accuracy: Accuracy of the time. Unit: s. Range: at least 0. Required for write.
  */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct mip_device *device,
                                                                         double tow,
@@ -2940,7 +2940,8 @@ static inline mip_error mip_send_3dm_odometer_config(
  * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
  *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
  *   wheel.
- * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
+ *   for write.
  */
 static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_device *device,
                                                                    enum mip_3dm_odometer_mode mode,

@@ -111,7 +111,9 @@ union mip_aiding_frame_config_rotation {
  * Where and how an external sensor is mounted on the vehicle.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Changes mip_filter_data_aiding_frame_config_error. Probably changes
+ * mip_filter_data_aiding_frame_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * Aiding measurements name the frame by its number.
  *
@@ -482,9 +484,9 @@ struct mip_aiding_ecef_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
-     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element
+     * has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y
+     * in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     double position[3];
     /**
@@ -569,9 +571,9 @@ static inline mip_error mip_aiding_ecef_position_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - position: Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -615,14 +617,13 @@ struct mip_aiding_llh_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
-     * source states; 0 to 360 is the other usual one.
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
      */
     double longitude;
     /**
@@ -713,11 +714,10 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
+ *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
@@ -761,7 +761,7 @@ struct mip_aiding_height_above_ellipsoid {
     uint8_t frame_id;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     float height;
-    /** Uncertainty of the height. Unit: m. */
+    /** Uncertainty of the height. Unit: m. Range: at least 0. */
     float uncertainty;
     /** Not 0: the measurement is valid. */
     uint16_t valid_flags;
@@ -832,7 +832,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m.
+ * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
@@ -873,9 +873,9 @@ struct mip_aiding_ecef_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
-     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element
+     * has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y
+     * in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
@@ -960,9 +960,9 @@ static inline mip_error mip_aiding_ecef_velocity_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -1006,9 +1006,9 @@ struct mip_aiding_ned_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid
-     * flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each
+     * element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
@@ -1094,9 +1094,9 @@ static inline mip_error mip_aiding_ned_velocity_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its
- *   own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
- *   valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
+ *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
@@ -1146,9 +1146,9 @@ struct mip_aiding_body_frame_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
-     * x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
-     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each
+     * element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
@@ -1234,9 +1234,9 @@ static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
@@ -1275,7 +1275,10 @@ struct mip_aiding_true_heading {
     struct mip_aiding_measurement_time time;
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
-    /** Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * 3.141592653589793. Positive: clockwise seen from above.
+     */
     float heading;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     float uncertainty;
@@ -1347,7 +1350,8 @@ static inline mip_error mip_aiding_true_heading_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793. Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
@@ -1385,9 +1389,9 @@ struct mip_aiding_magnetic_field {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
-     * flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags,
-     * z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
+     * its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float magnetic_field[3];
     /**
@@ -1473,9 +1477,9 @@ static inline mip_error mip_aiding_magnetic_field_encode_inline(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - magnetic_field: Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
- *   its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in
- *   valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
  *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
  *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in

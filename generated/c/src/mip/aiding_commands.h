@@ -201,9 +201,9 @@ static inline mip_error mip_send_aiding_ecef_position(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - position: Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -246,11 +246,10 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
- *   MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
+ *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
  * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
@@ -300,7 +299,7 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - uncertainty: Uncertainty of the height. Unit: m.
+ * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
@@ -338,9 +337,9 @@ static inline mip_error mip_send_aiding_ecef_velocity(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
  *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
  *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -383,9 +382,9 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its
- *   own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
- *   valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
+ *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
@@ -429,9 +428,9 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
  *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
@@ -475,7 +474,8 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793. Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
  * - valid_flags: Not 0: the measurement is valid.
  */
@@ -514,9 +514,9 @@ static inline mip_error mip_send_aiding_magnetic_field(
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - magnetic_field: Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
- *   its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in
- *   valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
  * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
  *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
  *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in

@@ -941,8 +941,10 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: write only.
+ * mip_base_gps_time_update_tow_response. Changes mip_filter_data_timestamp,
+ * mip_sensor_gps_timestamp, mip_shared_gps_timestamp and mip_shared_external_timestamp. Supported
+ * by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS:
+ * write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *

@@ -327,8 +327,8 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  *
  * Returns the filter to its initialization state.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Changes MIP_FILTER_DATA_SET. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -371,19 +371,27 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Accepted only in the initialization state.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
 struct mip_filter_set_initial_attitude {
-    /** Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * right side down.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. */
+    /**
+     * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+     * Positive: nose up.
+     */
     float pitch;
     /**
      * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+     * Positive: clockwise seen from above.
      */
     float heading;
 };
@@ -443,9 +451,11 @@ static inline mip_error mip_filter_set_initial_attitude_encode_inline(
  * Set initial attitude. Fills the structure and returns its address.
  *
  * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: right side down.
  * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ *   Positive: nose up.
  * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
@@ -461,8 +471,9 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
@@ -473,7 +484,10 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
  */
 struct mip_filter_set_initial_heading {
-    /** Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    /**
+     * Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+     * Positive: clockwise seen from above.
+     */
     float heading;
 };
 
@@ -528,7 +542,7 @@ static inline mip_error mip_filter_set_initial_heading_encode_inline(
  * Set initial heading. Fills the structure and returns its address.
  *
  * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
@@ -542,10 +556,12 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
  *
  * Initializes the attitude of the filter with that of the complementary filter.
  *
- * No device is certain to support it. Also called `set_initial_heading_from_mag`. Known only from
- * the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The
- * name. The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
- * layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+ * No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Known only from the MIP SDK of 2014, MicroStrain Communication
+ * Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
+ * mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
+ * Uncertain: Which devices have it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -621,7 +637,7 @@ mip_filter_set_initial_attitude_from_imu_make(
  *
  * Starts a filter that is configured to wait for this command.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Changes mip_filter_data_status. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * mip_filter_initialization_config is set.
@@ -661,8 +677,8 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Adapts the filter to the motion that it has to expect.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
+ * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -815,13 +831,13 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * Full name: filter.sensor_to_vehicle_rotation_euler.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain:
- * The formula. The text of the manual lacks it; it is the inverse of that of
- * mip_3dm_sensor_to_vehicle_euler, which the 3DM-CV7 manual states.
- *
- * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
- * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
- * vector of the filter.
+ * mip_filter_sensor_to_vehicle_euler_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate, mip_filter_data_gravity_vector
+ * and mip_filter_data_comp_accel. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The formula.
+ * The text of the manual lacks it; it is the inverse of that of mip_3dm_sensor_to_vehicle_euler,
+ * which the 3DM-CV7 manual states.
  *
  * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
  *
@@ -988,11 +1004,9 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
- * frame, is inferred from the name.
- *
- * It shifts only mip_filter_data_llh_position.
+ * mip_filter_sensor_to_vehicle_offset_response. Changes mip_filter_data_llh_position. Supported by
+ * 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to
+ * the origin of the vehicle frame, is inferred from the name.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
@@ -1150,7 +1164,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
+ * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
+ * mip_filter_data_antenna_offset_correction. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+ * 3DM-GX5-45.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
@@ -1311,7 +1328,14 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
  * Which states the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_estimation_control_response. Changes mip_filter_data_gyro_bias,
+ * mip_filter_data_accel_bias, mip_filter_data_gyro_scale_factor,
+ * mip_filter_data_accel_scale_factor, mip_filter_data_antenna_offset_correction,
+ * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Probably changes
+ * mip_filter_data_gyro_bias_uncertainty, mip_filter_data_accel_bias_uncertainty,
+ * mip_filter_data_gyro_scale_factor_uncertainty, mip_filter_data_accel_scale_factor_uncertainty,
+ * mip_filter_data_antenna_offset_uncertainty, mip_filter_data_mag_offset_uncertainty and
+ * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1480,7 +1504,10 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  * Which GNSS receiver aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
+ * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
+ * mip_filter_data_gnss_position_aiding_status. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+ * 3DM-GX5-45.
  *
  * A change while the filter is running may return it to initialization until the new source
  * provides data.
@@ -1641,24 +1668,27 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
  * - mip-sdk-4: External Gnss Update (0x0D,0x16)
  */
 struct mip_filter_external_gnss_update {
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
+    /** Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-     * states; 0 to 360 is the other usual one.
-     */
+    /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
-    /** Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
+    /** Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity[3];
-    /** Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. */
+    /**
+     * Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. Range:
+     * at least 0.
+     */
     float position_uncertainty[3];
-    /** Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
+    /**
+     * Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+     * Range: at least 0.
+     */
     float velocity_uncertainty[3];
 };
 
@@ -1738,17 +1768,16 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
 /**
  * External GNSS update. Fills the structure and returns its address.
  *
- * - tow: GPS time of week. Unit: s.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
- *   Frame: ned.
+ *   Frame: ned. Range: at least 0.
  * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
- *   m/s. Frame: ned.
+ *   m/s. Frame: ned. Range: at least 0.
  */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
@@ -1789,7 +1818,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
 struct mip_filter_external_heading_update {
     /**
      * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -1856,7 +1885,7 @@ static inline mip_error mip_filter_external_heading_update_encode_inline(
  * External heading update. Fills the structure and returns its address.
  *
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1877,7 +1906,9 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  * Source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Changes mip_filter_data_heading_update_state. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -2208,7 +2239,10 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably changes mip_filter_data_llh_position_uncertainty,
+ * mip_filter_data_ecef_position_uncertainty, mip_filter_data_ned_velocity_uncertainty,
+ * mip_filter_data_ecef_velocity_uncertainty and mip_filter_data_accel_bias_uncertainty. Supported
+ * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -2364,6 +2398,8 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
+ * Probably changes mip_filter_data_euler_angles_uncertainty,
+ * mip_filter_data_quaternion_attitude_uncertainty and mip_filter_data_gyro_bias_uncertainty.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
@@ -2520,7 +2556,8 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
  * Parameters of the model by which the accelerometer bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Probably changes mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty. Supported
+ * by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -2691,7 +2728,8 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
  * Parameters of the model by which the gyroscope bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably changes mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty. Supported
+ * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2864,7 +2902,9 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  * Lets the filter assume that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
- * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
+ * by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -3036,13 +3076,13 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
  */
 struct mip_filter_external_heading_update_with_time {
-    /** GPS time of week of the measurement. Unit: s. */
+    /** GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
     /**
      * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
@@ -3112,10 +3152,10 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
 /**
  * External heading update with time. Fills the structure and returns its address.
  *
- * - tow: GPS time of week of the measurement. Unit: s.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -3139,7 +3179,9 @@ mip_filter_external_heading_update_with_time_make(
  * Lets the filter assume that the device is not rotating while its angular rate is low.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
+ * mip_filter_auto_angular_zupt_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
+ * mip_filter_data_gyro_bias_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
@@ -3301,6 +3343,10 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
+ * Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag,
+ * mip_sensor_delta_theta, mip_sensor_delta_velocity, mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles, mip_filter_data_linear_accel,
+ * mip_filter_data_comp_angular_rate, mip_filter_data_gravity_vector and mip_filter_data_comp_accel.
  * Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default only. On
  * the 3DM-GX5-45: write, save, load and default only.
  *
@@ -3451,7 +3497,9 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
  *
  * Tells the filter once that the device is at rest.
  *
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
+ * by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The highest rate depends on the device.
  *
@@ -3489,7 +3537,9 @@ static inline mip_error mip_filter_commanded_zupt_encode(
  *
  * Tells the filter once that the device is not rotating.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
+ * mip_filter_data_gyro_bias_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * At most 10 per second.
  *
@@ -3528,7 +3578,8 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
  * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_position_response. Supported by 3DM-GX5-15.
+ * mip_filter_reference_position_response. Changes mip_filter_data_wgs84_gravity_magnitude and
+ * mip_filter_data_magnetic_model. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -3542,16 +3593,20 @@ struct mip_filter_reference_position {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write. */
+    /**
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
+     * write.
+     */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain: The
-     * range, which no source states; 0 to 360 is the other usual one.
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+     * write.
      */
     double longitude;
     /**
-     * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
-     * from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether it counts
+     * from the ellipsoid or from sea level. The manual does not say; its glossary counts altitudes
+     * from sea level.
      */
     double altitude;
 };
@@ -3581,12 +3636,13 @@ static inline mip_error mip_filter_reference_position_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
- *   The range, which no source states; 0 to 360 is the other usual one.
- * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
- *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
- *   level.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
+ *   for write.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ *   Required for write.
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+ *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+ *   altitudes from sea level.
  */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
@@ -3638,16 +3694,13 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
+    /** Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. */
     double latitude;
-    /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
-     * states; 0 to 360 is the other usual one.
-     */
+    /** Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. */
     double longitude;
     /**
-     * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
-     * manual does not say; its glossary counts altitudes from sea level.
+     * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
+     * or from sea level. The manual does not say; its glossary counts altitudes from sea level.
      */
     double altitude;
 };
@@ -3711,8 +3764,9 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
  *
  * Moves what the automatic magnetometer calibration has found into the fixed calibration.
  *
- * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK.
+ * Also called `mag_capture_auto_cal`. Functions: write and save. Changes mip_sensor_scaled_mag,
+ * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Supported by 3DM-GX5-45. Known only
+ * from the MicroStrain MIP SDK.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
  * mip_3dm_mag_soft_iron_matrix, and resets it.
@@ -3796,7 +3850,9 @@ mip_filter_mag_capture_auto_calibration_save(
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Probably changes mip_filter_data_euler_angles_uncertainty and
+ * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -3952,7 +4008,8 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * mip_filter_pressure_altitude_noise_response. Probably changes mip_filter_data_llh_position and
+ * mip_filter_data_llh_position_uncertainty. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
@@ -4101,8 +4158,9 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_hard_iron_offset_noise_response. Probably changes mip_filter_data_mag_offset and
+ * mip_filter_data_mag_offset_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -4255,8 +4313,9 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_soft_iron_matrix_noise_response. Probably changes mip_filter_data_mag_matrix and
+ * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -4412,7 +4471,10 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
  * Which inertial measurements the filter uses.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_enable_measurements_response. Supported by 3DM-GX5-15.
+ * mip_filter_enable_measurements_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -4560,8 +4622,10 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
- * process noise, although the noise is that of a measurement.
+ * Probably changes mip_filter_data_euler_angles_uncertainty and
+ * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
+ * measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -4713,8 +4777,10 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  * Source of the local declination of the magnetic field.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_declination_source_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * mip_filter_magnetic_declination_source_response. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -4904,7 +4970,10 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_accel_magnitude_adaptive_response. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -4940,11 +5009,11 @@ struct mip_filter_accel_magnitude_adaptive {
     float low_limit;
     /** Upper limit of the error. Unit: m/s^2. Optional. */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: m/s^2. Optional. */
+    /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional. */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: m/s^2. Optional. */
+    /** Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. Optional. */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: m/s^2. Optional. */
+    /** Smallest standard deviation. Unit: m/s^2. Range: at least 0. Optional. */
     float minimum_uncertainty;
 };
 
@@ -5045,11 +5114,11 @@ struct mip_filter_accel_magnitude_adaptive_response {
     float low_limit;
     /** Upper limit of the error. Unit: m/s^2. */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: m/s^2. */
+    /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: m/s^2. */
+    /** Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0. */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: m/s^2. */
+    /** Smallest standard deviation. Unit: m/s^2. Range: at least 0. */
     float minimum_uncertainty;
 };
 
@@ -5122,9 +5191,12 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on
- * write, as those of mip_filter_accel_magnitude_adaptive may.
+ * mip_filter_mag_magnitude_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the
+ * parameters after the selector may be left out on write, as those of
+ * mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
  * determines the limits.
@@ -5162,20 +5234,21 @@ struct mip_filter_mag_magnitude_adaptive {
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
-     * response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for write. Uncertain:
+     * The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and
+     * gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5216,15 +5289,15 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
  * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
- * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Required for write. Uncertain:
- *   The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
- *   in the response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+ *   command and gauss in the response.
  */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
@@ -5297,18 +5370,20 @@ struct mip_filter_mag_magnitude_adaptive_response {
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
-     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
+     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5382,8 +5457,10 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_mag_dip_angle_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
  * is set to `auto`.
@@ -5411,13 +5488,13 @@ struct mip_filter_mag_dip_angle_adaptive {
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
-     * The SDK gives m/s^2; rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for write.
+     * Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
-     * gives m/s^2; rad is inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Required for write. Uncertain: The
+     * unit. The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5450,10 +5527,11 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; rad is inferred from the quantity.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
- * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Required for write. Uncertain: The
- *   unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+ *   quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
  */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
@@ -5517,13 +5595,13 @@ struct mip_filter_mag_dip_angle_adaptive_response {
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
-     * rad is inferred from the quantity.
+     * Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
+     * SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
-     * inferred from the quantity.
+     * Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives
+     * m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5591,6 +5669,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
  * What aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ * Probably changes mip_filter_data_llh_position and mip_filter_data_llh_position_uncertainty.
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * GNSS remains the main source of altitude; the aid improves it and bridges outages.
@@ -5743,7 +5822,10 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
  * What aids pitch and roll while the motion is gentle.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pitch_roll_aiding_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_pitch_roll_aiding_response. Probably changes mip_filter_data_attitude_quaternion,
+ * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -5891,8 +5973,10 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  * Source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_inclination_source_response. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * mip_filter_magnetic_inclination_source_response. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -6070,8 +6154,10 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  * Source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_magnitude_source_response. Not listed in any device profile.
- * Known only from the MicroStrain MIP SDK.
+ * Answered by mip_filter_magnetic_magnitude_source_response. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
@@ -6248,14 +6334,14 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  * Full name: filter.sensor_to_vehicle_rotation_dcm.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_dcm_response. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * mip_filter_sensor_to_vehicle_dcm_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
- *
- * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
- * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
- * filter.
  *
  * The device refuses a matrix that is not orthonormal to within 0.001.
  *
@@ -6419,14 +6505,14 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_quaternion_response. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * mip_filter_sensor_to_vehicle_quaternion_response. Changes mip_sensor_scaled_accel,
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_linear_accel, mip_filter_data_comp_angular_rate and
+ * mip_filter_data_gravity_vector. Probably changes mip_filter_data_comp_accel. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
- *
- * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
- * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
- * filter.
  *
  * The device normalizes it, so the elements read back may differ slightly from those written.
  *
@@ -6593,8 +6679,9 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
- * 3DM-CV7-GNSS/INS.
+ * mip_filter_aiding_measurement_enable_response. Changes
+ * mip_filter_data_aiding_measurement_summary. Probably changes MIP_FILTER_DATA_SET. Supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -6854,7 +6941,9 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
  * What the filter may take for granted about the motion, in place of measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response. Not listed in any device profile. Known only from the
+ * mip_filter_kinematic_constraint_response. Probably changes mip_filter_data_ned_velocity,
+ * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
+ * and mip_filter_data_euler_angles. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
  * gives the values in remarks.
  *
@@ -7041,8 +7130,11 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS
- * and 3DM-GQ7-GNSS/INS.
+ * Answered by mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
+ * mip_filter_data_llh_position, mip_filter_data_ecef_position, mip_filter_data_ned_velocity,
+ * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
+ * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -7325,7 +7417,8 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
  * How the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_adaptive_filter_options_response. Probably changes MIP_FILTER_DATA_SET. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -7488,7 +7581,11 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
  * Position of the antenna of one receiver on devices with several antennas.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_multi_antenna_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_multi_antenna_offset_response. Probably changes mip_filter_data_llh_position,
+ * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
+ * mip_filter_data_multi_antenna_offset_correction and mip_filter_data_gnss_dual_antenna_status.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -7672,7 +7769,8 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
  * Reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_filter_relative_position_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_relative_position_config_response. Changes mip_filter_data_ned_relative_position.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -7859,12 +7957,11 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
  * Moves the point to which the position and the velocity of the filter refer.
  *
  * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_reference_point_lever_arm_response. Changes mip_filter_data_llh_position,
+ * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
+ * mip_filter_data_ned_relative_position. Supported by 3DM-CV7-GNSS/INS.
  *
- * It shifts mip_filter_data_llh_position, mip_filter_data_ned_velocity,
- * mip_filter_data_ecef_position, mip_filter_data_ecef_velocity and
- * mip_filter_data_ned_relative_position, depending on the attitude and, for velocities, on the
- * angular rate.
+ * The shift of positions depends on the attitude, that of velocities on the angular rate as well.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -8047,11 +8144,14 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
 struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */
     uint8_t source;
-    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none. */
+    /**
+     * GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+     * SDK gives none.
+     */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     float speed;
-    /** Standard deviation of the speed. Unit: m/s. */
+    /** Standard deviation of the speed. Unit: m/s. Range: at least 0. */
     float speed_uncertainty;
 };
 
@@ -8111,9 +8211,10 @@ static inline mip_error mip_filter_speed_measurement_encode_inline(
 /**
  * Speed measurement. Fills the structure and returns its address.
  *
- * - tow: GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+ *   SDK gives none.
  * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
- * - speed_uncertainty: Standard deviation of the speed. Unit: m/s.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
  */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
@@ -8131,7 +8232,8 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
+ * mip_filter_data_odometer_scale_factor_error. Supported by 3DM-CV7-GNSS/INS.
  *
  * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
@@ -8298,8 +8400,10 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  * Full name: filter.vertical_gyro_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_response. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * mip_filter_vertical_gyro_constraint_response. Probably changes
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * It assumes that the linear acceleration is zero.
  *
@@ -8450,7 +8554,9 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  * Full name: filter.wheeled_vehicle_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_wheeled_vehicle_constraint_response. Probably changes mip_filter_data_ned_velocity,
+ * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
+ * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS.
  *
  * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
  * use it for vehicles that move sideways, such as aircraft.
@@ -8606,7 +8712,9 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  * Full name: filter.gnss_antenna_calibration_control.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_response. Supported by 3DM-CV7-GNSS/INS and
+ * by mip_filter_gnss_antenna_calibration_response. Changes
+ * mip_filter_data_multi_antenna_offset_correction. Probably changes
+ * mip_filter_data_multi_antenna_offset_uncertainty. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)

@@ -52,9 +52,11 @@ static inline mip_error mip_send_filter_set_initial_attitude(
  * Set initial attitude. See mip_device_call.
  *
  * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: right side down.
  * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ *   Positive: nose up.
  * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
                                                                      float roll, float pitch,
@@ -91,7 +93,7 @@ static inline mip_error mip_send_filter_set_initial_heading(
  * Set initial heading. See mip_device_call.
  *
  * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
- *   3.141592653589793.
+ *   3.141592653589793. Positive: clockwise seen from above.
  */
 static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
                                                                     float heading) {
@@ -649,17 +651,16 @@ static inline mip_error mip_send_filter_external_gnss_update(
 /**
  * External GNSS update. See mip_device_call.
  *
- * - tow: GPS time of week. Unit: s.
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
- *   source states; 0 to 360 is the other usual one.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
- *   Frame: ned.
+ *   Frame: ned. Range: at least 0.
  * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
- *   m/s. Frame: ned.
+ *   m/s. Frame: ned. Range: at least 0.
  */
 static inline struct mip_result mip_call_filter_external_gnss_update(
     struct mip_device *device, double tow, uint16_t week_number, double latitude, double longitude,
@@ -700,7 +701,7 @@ static inline mip_error mip_send_filter_external_heading_update(
  * External heading update. See mip_device_call.
  *
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1283,10 +1284,10 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
 /**
  * External heading update with time. See mip_device_call.
  *
- * - tow: GPS time of week of the measurement. Unit: s.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
  * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
- *   -3.141592653589793 to 3.141592653589793.
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
  * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
@@ -1516,12 +1517,13 @@ static inline mip_error mip_send_filter_reference_position(
  * Set reference position: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
- *   The range, which no source states; 0 to 360 is the other usual one.
- * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
- *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
- *   level.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
+ *   for write.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ *   Required for write.
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+ *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+ *   altitudes from sea level.
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
@@ -2281,15 +2283,15 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
- * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
- *   and gauss in the response.
- * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Required for write. Uncertain:
- *   The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
- *   in the response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+ *   m/s^2 in the command and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+ *   command and gauss in the response.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,
@@ -2384,10 +2386,11 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; rad is inferred from the quantity.
- * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Required for write.
- *   Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
- * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Required for write. Uncertain: The
- *   unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the
+ *   quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     struct mip_device *device, mip_bool enable, float frequency, float high_limit,
@@ -3651,9 +3654,10 @@ static inline mip_error mip_send_filter_speed_measurement(
 /**
  * Speed measurement. See mip_device_call.
  *
- * - tow: GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none.
+ * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+ *   SDK gives none.
  * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
- * - speed_uncertainty: Standard deviation of the speed. Unit: m/s.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
  */
 static inline struct mip_result mip_call_filter_speed_measurement(struct mip_device *device,
                                                                   float tow, float speed,

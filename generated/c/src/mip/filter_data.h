@@ -233,56 +233,78 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
  * Bit 4. A position covariance is above its normal limit. Full name:
- * run_position_covariance_warning.
+ * run_position_covariance_warning. Concerns mip_filter_data_llh_position and
+ * mip_filter_data_llh_position_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
 /**
  * Bit 5. A velocity covariance is above its normal limit. Full name:
- * run_velocity_covariance_warning.
+ * run_velocity_covariance_warning. Concerns mip_filter_data_ned_velocity and
+ * mip_filter_data_ned_velocity_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
 /**
  * Bit 6. An attitude covariance is above its normal limit. Full name:
- * run_attitude_covariance_warning.
+ * run_attitude_covariance_warning. Concerns mip_filter_data_euler_angles and
+ * mip_filter_data_euler_angles_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
 /**
  * Bit 7. The solution contains values that are not numbers. Full name: run_nan_in_solution_warning.
+ * Concerns mip_filter_reset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. */
+/**
+ * Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. Concerns
+ * mip_filter_data_gyro_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning. */
+/**
+ * Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning.
+ * Concerns mip_filter_data_accel_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
 /**
  * Bit 10. The estimated gyroscope scale factor is high. Full name:
- * run_gyro_scale_factor_est_high_warning.
+ * run_gyro_scale_factor_est_high_warning. Concerns mip_filter_data_gyro_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
 /**
  * Bit 11. The estimated accelerometer scale factor is high. Full name:
- * run_accel_scale_factor_est_high_warning.
+ * run_accel_scale_factor_est_high_warning. Concerns mip_filter_data_accel_scale_factor.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning. */
+/**
+ * Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning.
+ * Concerns mip_filter_data_mag_bias.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
 /**
  * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Full name:
- * run_antenna_offset_correction_est_high_warning.
+ * run_antenna_offset_correction_est_high_warning. Concerns
+ * mip_filter_data_antenna_offset_correction and mip_filter_antenna_offset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
 /**
  * Bit 14. The estimated hard-iron offset is high. Full name: run_mag_hard_iron_est_high_warning.
+ * Concerns mip_filter_data_mag_offset.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
 /**
  * Bit 15. The estimated soft-iron correction is high. Full name:
- * run_mag_soft_iron_est_high_warning.
+ * run_mag_soft_iron_est_high_warning. Concerns mip_filter_data_mag_matrix.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
-/** Bit 12. The attitude is not initialized. Overlaps other bits. */
+/**
+ * Bit 12. The attitude is not initialized. Overlaps other bits. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
-/** Bit 13. Position and velocity are not initialized. Overlaps other bits. */
+/**
+ * Bit 13. Position and velocity are not initialized. Overlaps other bits. Concerns
+ * mip_filter_data_llh_position and mip_filter_data_ned_velocity.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 /**
  * How settled the estimates of the filter are.
@@ -311,25 +333,58 @@ MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
-/** Bit 2. Roll and pitch are doubtful; check the mounting transformation. */
+/**
+ * Bit 2. Roll and pitch are doubtful; check the mounting transformation. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
-/** Bit 3. The heading is doubtful; check the heading source. */
+/**
+ * Bit 3. The heading is doubtful; check the heading source. Concerns
+ * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
+ * mip_filter_data_euler_angles.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING 0x0008U
-/** Bit 4. The position is doubtful; check the GNSS reception and antennas. */
+/**
+ * Bit 4. The position is doubtful; check the GNSS reception and antennas. Concerns
+ * mip_filter_data_llh_position, mip_filter_data_ecef_position and
+ * mip_filter_data_ned_relative_position.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING 0x0010U
-/** Bit 5. The velocity is doubtful; check the GNSS reception and antennas. */
+/**
+ * Bit 5. The velocity is doubtful; check the GNSS reception and antennas. Concerns
+ * mip_filter_data_ned_velocity and mip_filter_data_ecef_velocity.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
-/** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
+/**
+ * Bit 6. The sensor biases are doubtful; capture the gyroscope bias. Concerns
+ * mip_filter_data_accel_bias, mip_filter_data_gyro_bias and mip_3dm_capture_gyro_bias.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
-/** Bit 7. The GNSS clock is doubtful; navigation continues. */
+/**
+ * Bit 7. The GNSS clock is doubtful; navigation continues. Concerns mip_filter_data_timestamp and
+ * mip_filter_data_clock_correction.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
-/** Bit 8. The antenna offsets are probably wrong. */
+/**
+ * Bit 8. The antenna offsets are probably wrong. Concerns
+ * mip_filter_data_multi_antenna_offset_correction and mip_filter_multi_antenna_offset.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
-/** Bit 9. The mounting transformation is probably wrong. */
+/**
+ * Bit 9. The mounting transformation is probably wrong. Concerns mip_3dm_sensor_to_vehicle_euler
+ * and mip_3dm_sensor_to_vehicle_dcm.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
-/** Bit 10. No pulse per second is detected, or the time of an external heading is too old. */
+/**
+ * Bit 10. No pulse per second is detected, or the time of an external heading is too old. Concerns
+ * mip_3dm_pps_source_control.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
-/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
+/**
+ * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
+ * Concerns mip_filter_reset.
+ */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
@@ -346,7 +401,10 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
+/**
+ * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
+ * Concerns mip_filter_reset.
+ */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
@@ -371,14 +429,13 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  */
 struct mip_filter_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The range, which no
-     * source states; 0 to 360 is the other usual one.
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double longitude;
     /**
@@ -386,7 +443,7 @@ struct mip_filter_data_llh_position {
      * in valid_flags is set.
      */
     double ellipsoid_height;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -455,21 +512,21 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
  */
 struct mip_filter_data_ned_velocity {
     /**
-     * Velocity north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Velocity east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Velocity down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -541,11 +598,11 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  */
 struct mip_filter_data_attitude_quaternion {
     /**
-     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level:
+     * x 0, y 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -618,10 +675,11 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
 struct mip_filter_data_attitude_dcm {
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float dcm[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -685,7 +743,7 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-45.
+ * 3DM-GX5-45. Uncertain: The ranges of the angles. Uncertain: which no source states.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -694,20 +752,24 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
  */
 struct mip_filter_data_euler_angles {
     /**
-     * Roll. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * 3.141592653589793. At rest and level: 0. Positive: right side down. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float roll;
     /**
-     * Pitch. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to
+     * 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pitch;
     /**
-     * Yaw. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * 3.141592653589793. Positive: clockwise seen from above. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -777,11 +839,11 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
  */
 struct mip_filter_data_gyro_bias {
     /**
-     * Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+     * Bias that the filter subtracts. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -850,11 +912,11 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
  */
 struct mip_filter_data_accel_bias {
     /**
-     * Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+     * Bias that the filter subtracts. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -923,21 +985,21 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
  */
 struct mip_filter_data_llh_position_uncertainty {
     /**
-     * Standard deviation north. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1006,21 +1068,21 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
  */
 struct mip_filter_data_ned_velocity_uncertainty {
     /**
-     * Standard deviation north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1093,21 +1155,21 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  */
 struct mip_filter_data_euler_angles_uncertainty {
     /**
-     * Standard deviation of roll. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of roll. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float roll;
     /**
-     * Standard deviation of pitch. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pitch;
     /**
-     * Standard deviation of yaw. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float yaw;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1177,11 +1239,11 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
  */
 struct mip_filter_data_gyro_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1250,11 +1312,11 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_accel_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1315,7 +1377,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
- * Compensated acceleration minus the estimated gravity.
+ * Rate of change of the velocity, with the effect of gravity removed.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1324,11 +1386,11 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_linear_accel {
     /**
-     * Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+     * and level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1399,11 +1461,12 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
  */
 struct mip_filter_data_comp_angular_rate {
     /**
-     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z
+     * 0. Positive: right side down, nose up, clockwise seen from above. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gyro[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1474,11 +1537,11 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
  */
 struct mip_filter_data_wgs84_gravity_magnitude {
     /**
-     * Magnitude of gravity. Unit: m/s^2. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
-     * is set.
+     * Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1660,7 +1723,8 @@ static inline mip_error mip_filter_data_status_encode_inline(
  */
 struct mip_filter_data_timestamp {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double tow;
     /**
@@ -1668,7 +1732,7 @@ struct mip_filter_data_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1736,11 +1800,11 @@ static inline mip_error mip_filter_data_timestamp_encode_inline(
  */
 struct mip_filter_data_quaternion_attitude_uncertainty {
     /**
-     * Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if
+     * Standard deviation per element. Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float q[4];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1813,11 +1877,12 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
  */
 struct mip_filter_data_gravity_vector {
     /**
-     * Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Uncertain: The sign, which no source states.
      */
     float gravity[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1888,13 +1953,13 @@ static inline mip_error mip_filter_data_gravity_vector_encode_inline(
  */
 struct mip_filter_data_heading_update_state {
     /**
-     * Heading of the sensor frame relative to true north. Unit: rad. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from
+     * above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
-     * Standard deviation of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading_uncertainty;
     /**
@@ -1902,7 +1967,7 @@ struct mip_filter_data_heading_update_state {
      * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL.
      */
     mip_filter_data_heading_source_flags source;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -1973,25 +2038,31 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
  */
 struct mip_filter_data_magnetic_model {
     /**
-     * Intensity north. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Northward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_north;
     /**
-     * Intensity east. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Eastward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_east;
     /**
-     * Intensity down. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Downward part of the field. Unit: gauss. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_down;
-    /** Inclination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Angle of the field below the horizontal plane. Unit: rad. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float inclination;
-    /** Declination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Angle from true north to magnetic north. Unit: rad. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float declination;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2068,7 +2139,7 @@ struct mip_filter_data_gyro_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2141,7 +2212,7 @@ struct mip_filter_data_accel_scale_factor {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2210,11 +2281,11 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
  */
 struct mip_filter_data_gyro_scale_factor_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2286,11 +2357,11 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
  */
 struct mip_filter_data_accel_scale_factor_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2366,7 +2437,7 @@ struct mip_filter_data_mag_bias {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2435,11 +2506,11 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
  */
 struct mip_filter_data_mag_bias_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2509,11 +2580,11 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
  */
 struct mip_filter_data_comp_accel {
     /**
-     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
+     * -9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2589,8 +2660,8 @@ struct mip_filter_data_standard_atmosphere {
      */
     float geometric_altitude;
     /**
-     * Geopotential altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
-     * set.
+     * Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float geopotential_altitude;
     /**
@@ -2601,7 +2672,7 @@ struct mip_filter_data_standard_atmosphere {
     float standard_pressure;
     /** Density. Unit: kg/m^3. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float standard_density;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2681,7 +2752,7 @@ struct mip_filter_data_pressure_altitude {
      * valid_flags is set.
      */
     float pressure_altitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2748,7 +2819,7 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
 struct mip_filter_data_density_altitude {
     /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float density_altitude;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2820,7 +2891,7 @@ struct mip_filter_data_mag_offset {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2896,7 +2967,7 @@ struct mip_filter_data_mag_matrix {
      * Unit: 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float soft_iron[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -2966,11 +3037,11 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  */
 struct mip_filter_data_mag_offset_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least
+     * 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float hard_iron_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3041,10 +3112,11 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
 struct mip_filter_data_mag_matrix_uncertainty {
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * 1. Frame: sensor. Range: at least 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float soft_iron_uncertainty[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3119,7 +3191,7 @@ struct mip_filter_data_mag_covariance_matrix {
      * is likely gauss^2, and the frame.
      */
     float covariance[9];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3193,7 +3265,7 @@ struct mip_filter_data_mag_residual_vector {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float residual[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3268,7 +3340,7 @@ struct mip_filter_data_antenna_offset_correction {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3339,11 +3411,11 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  */
 struct mip_filter_data_antenna_offset_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3423,7 +3495,7 @@ struct mip_filter_data_clock_correction {
      * set.
      */
     float bias_drift;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3494,16 +3566,16 @@ struct mip_filter_data_clock_correction_uncertainty {
     /** Receiver, counted from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * Standard deviation of the bias. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the bias. Unit: s. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_uncertainty;
     /**
-     * Standard deviation of the drift. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias_drift_uncertainty;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3580,7 +3652,7 @@ struct mip_filter_data_multi_antenna_offset_correction {
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3658,11 +3730,11 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
     /** Receiver that the antenna belongs to. */
     uint8_t receiver_id;
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3736,11 +3808,11 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
  */
 struct mip_filter_data_ecef_position_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float position_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3809,11 +3881,11 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
  */
 struct mip_filter_data_ecef_velocity_uncertainty {
     /**
-     * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity_uncertainty[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3882,11 +3954,11 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
  */
 struct mip_filter_data_ecef_position {
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * Position of the reference point. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double position[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -3955,11 +4027,11 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
  */
 struct mip_filter_data_ecef_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Velocity of the reference point. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and
+     * level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float velocity[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4028,11 +4100,11 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  */
 struct mip_filter_data_ned_relative_position {
     /**
-     * Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * From the reference point to the device. Elements: north, east, down. Unit: m. Frame: ned.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double relative_position[3];
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4104,7 +4176,7 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
 struct mip_filter_data_gnss_position_aiding_status {
     /** Number of the receiver. */
     uint8_t receiver_id;
-    /** GPS time of week of the last measurement. Unit: s. */
+    /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     float tow;
     /** How the measurements are used. */
     mip_filter_data_gnss_aiding_status status;
@@ -4180,8 +4252,8 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
  */
 struct mip_filter_data_gnss_attitude_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+     * Whether it is the time of the measurement or that of its processing.
      */
     float tow;
     /** How the measurements are used. */
@@ -4256,8 +4328,8 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
  */
 struct mip_filter_data_heading_aiding_status {
     /**
-     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
-     * the measurement or that of its processing.
+     * GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain:
+     * Whether it is the time of the measurement or that of its processing.
      */
     float tow;
     /** Source of the heading. A value of enum mip_filter_data_heading_aiding_type. */
@@ -4334,7 +4406,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
  * - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
  */
 struct mip_filter_data_aiding_measurement_summary {
-    /** GPS time of week at the end of the interval. Unit: s. */
+    /** GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800. */
     float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
@@ -4414,7 +4486,7 @@ struct mip_filter_data_odometer_scale_factor_error {
      * Relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4481,11 +4553,11 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
  */
 struct mip_filter_data_odometer_scale_factor_uncertainty {
     /**
-     * Uncertainty of the relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float scale_factor_error_uncertainty;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4557,22 +4629,25 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
  */
 struct mip_filter_data_gnss_dual_antenna_status {
     /**
-     * GPS time of week of the last measurement. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
-     * in valid_flags is set.
+     * GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float tow;
-    /** Heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
+     * from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float heading;
     /**
-     * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading_uncertainty;
     /** Kind of solution. A value of enum mip_filter_data_dual_antenna_fix_type. */
     uint8_t fix_type;
     /** Inputs available to the solution. */
     mip_filter_data_dual_antenna_status_flags status_flags;
-    /** Validity of the values. */
+    /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
 };
 
@@ -4726,9 +4801,11 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
 struct mip_filter_data_aiding_frame_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
-    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
+    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0. */
     float translation_uncertainty[3];
-    /** Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. */
+    /**
+     * Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.
+     */
     float attitude_uncertainty[3];
 };
 

@@ -95,7 +95,7 @@ MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */
 enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
-    /** Resets the receiver by its reset line. */
+    /** Resets the hardware of the receiver. */
     MIP_GNSS_RECEIVER_RESET_TYPE_HARDWARE = 1,
     /** Restarts all software of the receiver. */
     MIP_GNSS_RECEIVER_RESET_TYPE_COLD = 2,
@@ -224,8 +224,9 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  * GNSS signals that the device uses.
  *
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware
- * > 1.0.10.
+ * mip_gnss_signal_config_response. Probably changes mip_gnss_data_fix_info,
+ * mip_gnss_data_satellite_status and mip_gnss_data_raw. Supported by 3DM-CV7-GNSS/INS. On the
+ * 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
  * A device accepts certain combinations only.
  *
@@ -494,9 +495,10 @@ static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
  * Sets how readily the device fixes the ambiguities of an RTK solution.
  *
  * Also called `rtk_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_gnss_rtk_config_response. Not listed in any device profile. Known only from the MicroStrain
- * MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as
- * experimental on the 3DM-GQ7, which accepts `conservative` only.
+ * mip_gnss_rtk_config_response. Probably changes mip_gnss_data_fix_info and
+ * mip_gnss_data_llh_position. Not listed in any device profile. Known only from the MicroStrain MIP
+ * SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as experimental
+ * on the 3DM-GQ7, which accepts `conservative` only.
  *
  * The available modes differ by device.
  *
@@ -653,8 +655,8 @@ static inline mip_error mip_gnss_rtk_config_response_encode_inline(
  * Switches the communication with a connected RTK dongle on or off.
  *
  * No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: write,
- * read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Known only from
- * the MicroStrain MIP SDK.
+ * read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Probably changes
+ * mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -805,9 +807,9 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  * Source and keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
- * accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
- * the command has "bc" for 0xBC.
+ * mip_gnss_spartn_config_response. Probably changes mip_gnss_data_rtk_corrections_status. Supported
+ * by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
+ * UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
  * time.

@@ -61,15 +61,15 @@ typedef uint16_t mip_gnss_data_llh_position_flags;
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
 /** Bit 2. Height above mean sea level. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
-/** Bit 3. Horizontal accuracy. */
+/** Bit 3. `horizontal_accuracy` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
-/** Bit 4. Vertical accuracy. */
+/** Bit 4. `vertical_accuracy` is valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
 /** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_data_ecef_position_flags;
-/** Bit 0. Position. */
+/** Bit 0. `position` is valid. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION 0x0001U
 /** Bit 1. Accuracy of the position. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
@@ -83,7 +83,7 @@ typedef uint16_t mip_gnss_data_ned_velocity_flags;
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
 /** Bit 2. Speed over ground. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
-/** Bit 3. Heading. */
+/** Bit 3. `heading` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING 0x0008U
 /** Bit 4. Accuracy of the speed. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
@@ -93,7 +93,7 @@ typedef uint16_t mip_gnss_data_ned_velocity_flags;
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_data_ecef_velocity_flags;
-/** Bit 0. Velocity. */
+/** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
 /** Bit 1. Accuracy of the velocity. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
@@ -129,15 +129,15 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 typedef uint16_t mip_gnss_data_gps_time_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_data_clock_info_flags;
-/** Bit 0. Bias. */
+/** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS 0x0001U
-/** Bit 1. Drift. */
+/** Bit 1. `drift` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_DRIFT 0x0002U
 /** Bit 2. Accuracy. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
@@ -155,7 +155,7 @@ typedef uint16_t mip_gnss_data_fix_info_flags;
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
 /** Bit 1. Number of satellites. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_NUM_SV 0x0002U
-/** Bit 2. Fix flags. */
+/** Bit 2. `fix_flags` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FLAGS 0x0007U
@@ -167,15 +167,15 @@ typedef uint16_t mip_gnss_data_sv_flags;
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
 /** Which parts of the satellite info are valid. */
 typedef uint16_t mip_gnss_data_sv_info_flags;
-/** Bit 0. Channel. */
+/** Bit 0. `channel` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL 0x0001U
 /** Bit 1. Satellite. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
 /** Bit 2. Carrier to noise density ratio. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
-/** Bit 3. Azimuth. */
+/** Bit 3. `azimuth` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH 0x0008U
-/** Bit 4. Elevation. */
+/** Bit 4. `elevation` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION 0x0010U
 /** Bit 5. State of the satellite. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS 0x0020U
@@ -233,7 +233,7 @@ typedef uint16_t mip_gnss_data_hardware_status_flags;
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 /** Which parts of the state of the corrections are valid. */
 typedef uint16_t mip_gnss_data_dgps_info_flags;
-/** Bit 0. Age. */
+/** Bit 0. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE 0x0001U
 /** Bit 1. Number of the base station. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
@@ -247,7 +247,7 @@ typedef uint16_t mip_gnss_data_dgps_info_flags;
 typedef uint16_t mip_gnss_data_dgps_channel_flags;
 /** Bit 0. Satellite. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
-/** Bit 1. Age. */
+/** Bit 1. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE 0x0002U
 /** Bit 2. Correction of the range. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
@@ -257,9 +257,9 @@ typedef uint16_t mip_gnss_data_dgps_channel_flags;
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_data_clock_info_2_flags;
-/** Bit 0. Bias. */
+/** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
-/** Bit 1. Drift. */
+/** Bit 1. `drift` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
 /** Bit 2. Accuracy of the bias. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
@@ -269,7 +269,7 @@ typedef uint16_t mip_gnss_data_clock_info_2_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
-/** Bit 1. Leap seconds. */
+/** Bit 1. `leap_seconds` is valid. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 /** Satellite based augmentation system. */
 enum mip_gnss_data_sbas_system MIP_ENUM_8 {
@@ -301,7 +301,7 @@ typedef uint8_t mip_gnss_data_sbas_status;
 typedef uint16_t mip_gnss_data_sbas_info_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. System. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
@@ -391,7 +391,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 /** Which parts of the heading are valid. */
 typedef uint16_t mip_gnss_data_heading_flags;
-/** Bit 0. Heading. */
+/** Bit 0. `heading` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_HEADING 0x0001U
 /** Bit 1. Uncertainty of the heading. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY 0x0002U
@@ -403,17 +403,17 @@ typedef uint16_t mip_gnss_data_heading_flags;
 typedef uint16_t mip_gnss_data_satellite_status_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Constellation. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
 /** Bit 3. Satellite. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
-/** Bit 4. Elevation. */
+/** Bit 4. `elevation` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
-/** Bit 5. Azimuth. */
+/** Bit 5. `azimuth` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
-/** Bit 6. Health. */
+/** Bit 6. `health` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
 /** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
@@ -439,11 +439,11 @@ MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 typedef uint16_t mip_gnss_data_raw_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Receiver or reference station. */
 #define MIP_GNSS_DATA_RAW_FLAGS_RECEIVER_ID 0x0004U
-/** Bit 3. Tracking channel. */
+/** Bit 3. `tracking_channel` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
 /** Bit 4. Constellation. */
 #define MIP_GNSS_DATA_RAW_FLAGS_GNSS_ID 0x0010U
@@ -451,13 +451,13 @@ typedef uint16_t mip_gnss_data_raw_flags;
 #define MIP_GNSS_DATA_RAW_FLAGS_SATELLITE_ID 0x0020U
 /** Bit 6. Signal. */
 #define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID 0x0040U
-/** Bit 7. Signal strength. */
+/** Bit 7. `signal_strength` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
 /** Bit 8. Signal quality. */
 #define MIP_GNSS_DATA_RAW_FLAGS_QUALITY 0x0100U
-/** Bit 9. Pseudorange. */
+/** Bit 9. `pseudorange` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE 0x0200U
-/** Bit 10. Carrier phase. */
+/** Bit 10. `carrier_phase` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE 0x0400U
 /** Bit 11. Doppler shift. */
 #define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER 0x0800U
@@ -467,7 +467,7 @@ typedef uint16_t mip_gnss_data_raw_flags;
 #define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
 /** Bit 14. Uncertainty of the Doppler shift. */
 #define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
-/** Bit 15. Lock time. */
+/** Bit 15. `lock_time` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME 0x8000U
 /** Bits 0 to 15. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_RAW_FLAGS_FLAGS 0xFFFFU
@@ -495,7 +495,7 @@ typedef uint16_t mip_gnss_data_base_station_indicators;
 typedef uint16_t mip_gnss_data_base_station_info_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Position. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
@@ -503,7 +503,7 @@ typedef uint16_t mip_gnss_data_base_station_info_flags;
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
 /** Bit 4. Station. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
-/** Bit 5. Indicators. */
+/** Bit 5. `indicators` is valid. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
@@ -531,9 +531,9 @@ typedef uint16_t mip_gnss_data_rtk_epoch_status;
 typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2. Epoch status. */
+/** Bit 2. `epoch_status` is valid. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
 /** Bit 3. Status of the dongle. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
@@ -577,7 +577,7 @@ typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Coefficients alpha. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
@@ -589,7 +589,7 @@ typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Coefficients. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
@@ -601,7 +601,7 @@ typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
 /** Bit 0. Time of week. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1. Week number. */
+/** Bit 1. `week_number` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
 /** Bit 2. Coefficients alpha. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
@@ -627,14 +627,13 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  */
 struct mip_gnss_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set. Uncertain: The range, which
-     * no source states; 0 to 360 is the other usual one.
+     * Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double longitude;
     /**
@@ -648,16 +647,16 @@ struct mip_gnss_data_llh_position {
      */
     double msl_height;
     /**
-     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
-     * in valid_flags is set.
+     * Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in valid_flags is set.
      */
     float horizontal_accuracy;
     /**
-     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
-     * valid_flags is set.
+     * Estimated error of the heights. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in valid_flags is set.
      */
     float vertical_accuracy;
-    /** Which values are valid. */
+    /** Which parts of the position are valid. */
     mip_gnss_data_llh_position_flags valid_flags;
 };
 
@@ -741,16 +740,16 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
  */
 struct mip_gnss_data_ecef_position {
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * Position of the antenna. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
      */
     double position[3];
     /**
-     * Accuracy of the position. Unit: m. Valid if
+     * Accuracy of the position. Unit: m. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
-    /** Which values are valid. */
+    /** Which parts of the position are valid. */
     mip_gnss_data_ecef_position_flags valid_flags;
 };
 
@@ -831,8 +830,9 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  */
 struct mip_gnss_data_ned_velocity {
     /**
-     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned. At rest and
+     * level: north 0, east 0, down 0. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY in
+     * valid_flags is set.
      */
     float velocity[3];
     /**
@@ -841,26 +841,26 @@ struct mip_gnss_data_ned_velocity {
      */
     float speed;
     /**
-     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED in
-     * valid_flags is set.
+     * Speed over ground. Unit: m/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED in valid_flags is set.
      */
     float ground_speed;
     /**
-     * Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
-     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
+     * Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from
+     * above. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
      */
     float heading;
     /**
-     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in valid_flags is set.
      */
     float speed_accuracy;
     /**
-     * Accuracy of the heading. Unit: deg. Valid if
+     * Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
-    /** Which values are valid. */
+    /** Which parts of the velocity are valid. */
     mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
@@ -949,16 +949,16 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
  */
 struct mip_gnss_data_ecef_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * Velocity of the antenna. Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y
+     * 0, z 0. Valid if MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
     /**
-     * Accuracy of the velocity. Unit: m/s. Valid if
+     * Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
-    /** Which values are valid. */
+    /** Which parts of the velocity are valid. */
     mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
@@ -1036,23 +1036,42 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
  */
 struct mip_gnss_data_dop {
-    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_GDOP in valid_flags is set. */
+    /**
+     * Geometric dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_GDOP in
+     * valid_flags is set.
+     */
     float gdop;
-    /** Position dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_PDOP in valid_flags is set. */
+    /**
+     * Position dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_PDOP in
+     * valid_flags is set.
+     */
     float pdop;
     /**
-     * Horizontal dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_HDOP in valid_flags is set.
+     * Horizontal dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_HDOP in
+     * valid_flags is set.
      */
     float hdop;
-    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_VDOP in valid_flags is set. */
+    /**
+     * Vertical dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_VDOP in
+     * valid_flags is set.
+     */
     float vdop;
-    /** Time dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_TDOP in valid_flags is set. */
+    /**
+     * Time dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_TDOP in
+     * valid_flags is set.
+     */
     float tdop;
-    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_NDOP in valid_flags is set. */
+    /**
+     * Northing dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_NDOP in
+     * valid_flags is set.
+     */
     float ndop;
-    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_EDOP in valid_flags is set. */
+    /**
+     * Easting dilution. Unit: 1. Range: at least 0. Valid if MIP_GNSS_DATA_DOP_FLAGS_EDOP in
+     * valid_flags is set.
+     */
     float edop;
-    /** Which values are valid. */
+    /** Which dilutions of precision are valid. */
     mip_gnss_data_dop_flags valid_flags;
 };
 
@@ -1254,7 +1273,8 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
  */
 struct mip_gnss_data_gps_time {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -1262,7 +1282,7 @@ struct mip_gnss_data_gps_time {
      * is set.
      */
     uint16_t week_number;
-    /** Which values are valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_data_gps_time_flags valid_flags;
 };
 
@@ -1349,11 +1369,11 @@ struct mip_gnss_data_clock_info {
      */
     double drift;
     /**
-     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
-     * valid_flags is set.
+     * Estimated accuracy. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in valid_flags is set.
      */
     double accuracy_estimate;
-    /** Which values are valid. */
+    /** Which clock parameters are valid. */
     mip_gnss_data_clock_info_flags valid_flags;
 };
 
@@ -1443,7 +1463,7 @@ struct mip_gnss_data_fix_info {
     uint8_t num_sv;
     /** What the fix uses. Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_data_fix_flags fix_flags;
-    /** Which values are valid. */
+    /** Which parts of the fix information are valid. */
     mip_gnss_data_fix_info_flags valid_flags;
 };
 
@@ -1536,17 +1556,21 @@ struct mip_gnss_data_sv_info {
      * MIP_GNSS_DATA_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
      */
     uint16_t carrier_noise_ratio;
-    /** Azimuth. Unit: deg. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
+    /**
+     * Direction of the satellite, from north. Unit: deg. Valid if
+     * MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH in valid_flags is set.
+     */
     int16_t azimuth;
     /**
-     * Elevation. Unit: deg. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is set.
+     * Angle of the satellite above the horizon. Unit: deg. Valid if
+     * MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is set.
      */
     int16_t elevation;
     /**
      * State of the satellite. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set.
      */
     mip_gnss_data_sv_flags sv_flags;
-    /** Which values are valid. */
+    /** Which parts of the satellite info are valid. */
     mip_gnss_data_sv_info_flags valid_flags;
 };
 
@@ -1644,7 +1668,7 @@ struct mip_gnss_data_hardware_status {
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
     uint8_t antenna_power;
-    /** Which values are valid. */
+    /** Which parts of the hardware status are valid. */
     mip_gnss_data_hardware_status_flags valid_flags;
 };
 
@@ -1748,7 +1772,7 @@ struct mip_gnss_data_dgps_info {
      * MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
      */
     uint16_t num_channels;
-    /** Which values are valid. */
+    /** Which parts of the state of the corrections are valid. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1858,7 +1882,7 @@ struct mip_gnss_data_dgps_info_satellite {
      * mip_gnss_data_dgps_channel.
      */
     float range_rate_correction;
-    /** Which values are valid. */
+    /** Which parts of the state of the corrections are valid. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1967,7 +1991,7 @@ struct mip_gnss_data_dgps_channel {
      * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
      */
     float range_rate_correction;
-    /** Which values are valid. */
+    /** Which parts of a differential correction are valid. */
     mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
@@ -2058,16 +2082,16 @@ struct mip_gnss_data_clock_info_2 {
      */
     double drift;
     /**
-     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the bias. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in valid_flags is set.
      */
     double bias_accuracy_estimate;
     /**
-     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
-     * valid_flags is set.
+     * Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags is set.
      */
     double drift_accuracy_estimate;
-    /** Which values are valid. */
+    /** Which clock parameters are valid. */
     mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
@@ -2224,7 +2248,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  */
 struct mip_gnss_data_sbas_info {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -2249,7 +2274,7 @@ struct mip_gnss_data_sbas_info {
      * set.
      */
     mip_gnss_data_sbas_status sbas_status;
-    /** Which values are valid. */
+    /** Which parts of the SBAS status are valid. */
     mip_gnss_data_sbas_info_flags valid_flags;
 };
 
@@ -2340,7 +2365,7 @@ struct mip_gnss_data_sbas_correction {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week of the reception. Unit: s. */
+    /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -2364,7 +2389,7 @@ struct mip_gnss_data_sbas_correction {
      * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
      */
     float iono_correction;
-    /** Which values are valid. */
+    /** Which parts of an SBAS correction are valid. */
     mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
@@ -2477,7 +2502,7 @@ struct mip_gnss_data_rf_error_detection {
     uint16_t frequency;
     /** Reserved. */
     uint8_t reserved[2];
-    /** Which values are valid. */
+    /** Which parts of the detection are valid. */
     mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
@@ -2564,8 +2589,9 @@ struct mip_gnss_data_heading {
      */
     float heading;
     /**
-     * Uncertainty of the heading. Unit: deg. Valid if MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in
-     * valid_flags is set. Uncertain: Whether it is one standard deviation.
+     * Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_HEADING_FLAGS_UNCERTAINTY in valid_flags is set. Uncertain: Whether it is one
+     * standard deviation.
      */
     float uncertainty;
     /**
@@ -2573,7 +2599,7 @@ struct mip_gnss_data_heading {
      * MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
-    /** Which values are valid. */
+    /** Which parts of the heading are valid. */
     mip_gnss_data_heading_flags valid_flags;
 };
 
@@ -2657,8 +2683,8 @@ struct mip_gnss_data_satellite_status {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW in valid_flags
-     * is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -2677,7 +2703,7 @@ struct mip_gnss_data_satellite_status {
      */
     uint8_t satellite_id;
     /**
-     * Elevation, as seen from the rover. Unit: deg. Valid if
+     * Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if
      * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
      */
     float elevation;
@@ -2691,7 +2717,7 @@ struct mip_gnss_data_satellite_status {
      * valid_flags is set.
      */
     mip_bool health;
-    /** Which values are valid. */
+    /** Which parts of the satellite status are valid. */
     mip_gnss_data_satellite_status_flags valid_flags;
 };
 
@@ -2787,7 +2813,10 @@ struct mip_gnss_data_raw {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RAW_FLAGS_TOW in valid_flags is set. */
+    /**
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_TOW in valid_flags is set.
+     */
     double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER in valid_flags is
@@ -2839,17 +2868,17 @@ struct mip_gnss_data_raw {
     /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_DATA_RAW_FLAGS_DOPPLER in valid_flags is set. */
     float doppler;
     /**
-     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY
-     * in valid_flags is set.
+     * Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY in valid_flags is set.
      */
     float range_uncertainty;
     /**
-     * Uncertainty of the carrier phase. Unit: cycle. Valid if
+     * Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
      */
     float phase_uncertainty;
     /**
-     * Uncertainty of the Doppler shift. Unit: Hz. Valid if
+     * Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY in valid_flags is set.
      */
     float doppler_uncertainty;
@@ -2858,7 +2887,7 @@ struct mip_gnss_data_raw {
      * MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
-    /** Which values are valid. */
+    /** Which parts of the observation are valid. */
     mip_gnss_data_raw_flags valid_flags;
 };
 
@@ -2966,8 +2995,8 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
  */
 struct mip_gnss_data_base_station_info {
     /**
-     * GPS time of week at which the message was received. Unit: s. Valid if
-     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     * GPS time of week at which the message was received. Unit: s. Range: at least 0, less than
+     * 604800. Valid if MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -3083,8 +3112,8 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
  */
 struct mip_gnss_data_rtk_corrections_status {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -3224,7 +3253,7 @@ struct mip_gnss_data_gps_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -3512,7 +3541,7 @@ struct mip_gnss_data_glonass_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -3752,7 +3781,7 @@ struct mip_gnss_data_galileo_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -4040,7 +4069,7 @@ struct mip_gnss_data_beidou_ephemeris {
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. */
+    /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
@@ -4320,8 +4349,8 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
  */
 struct mip_gnss_data_gps_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -4339,7 +4368,7 @@ struct mip_gnss_data_gps_iono_correction {
      * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
-    /** Which values are valid. */
+    /** Which parts of the model are valid. */
     mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
@@ -4426,8 +4455,8 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
  */
 struct mip_gnss_data_galileo_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -4447,7 +4476,7 @@ struct mip_gnss_data_galileo_iono_correction {
      * Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
-    /** Which values are valid. */
+    /** Which parts of the model are valid. */
     mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
@@ -4530,8 +4559,8 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
  */
 struct mip_gnss_data_beidou_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
-     * valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
@@ -4555,7 +4584,7 @@ struct mip_gnss_data_beidou_iono_correction {
      * The units.
      */
     double alpha_correction[9];
-    /** Which values are valid. */
+    /** Which parts of the model are valid. */
     mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 

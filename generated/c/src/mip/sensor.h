@@ -24,25 +24,25 @@ extern "C" {
 
 /** Sensor axes that were near or outside their range. */
 typedef uint16_t mip_sensor_overrange_flags;
-/** Bit 0. Accelerometer X axis. */
+/** Bit 0. Accelerometer X axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
-/** Bit 1. Accelerometer Y axis. */
+/** Bit 1. Accelerometer Y axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
-/** Bit 2. Accelerometer Z axis. */
+/** Bit 2. Accelerometer Z axis. Concerns mip_sensor_scaled_accel. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
-/** Bit 4. Gyroscope X axis. */
+/** Bit 4. Gyroscope X axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
-/** Bit 5. Gyroscope Y axis. */
+/** Bit 5. Gyroscope Y axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
-/** Bit 6. Gyroscope Z axis. */
+/** Bit 6. Gyroscope Z axis. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
-/** Bit 8. Magnetometer X axis. */
+/** Bit 8. Magnetometer X axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
-/** Bit 9. Magnetometer Y axis. */
+/** Bit 9. Magnetometer Y axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
-/** Bit 10. Magnetometer Z axis. */
+/** Bit 10. Magnetometer Z axis. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
-/** Bit 12. Pressure sensor. */
+/** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
@@ -266,7 +266,10 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
  */
 struct mip_sensor_scaled_accel {
-    /** Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. */
+    /**
+     * Specific force: acceleration minus gravity. Elements: x, y, z. Unit: g. Frame: vehicle. At
+     * rest and level: x 0, y 0, z -1.
+     */
     float scaled_accel[3];
 };
 
@@ -334,7 +337,10 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
  */
 struct mip_sensor_scaled_gyro {
-    /** Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. */
+    /**
+     * Angular rate about each axis. Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+     */
     float scaled_gyro[3];
 };
 
@@ -468,7 +474,10 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
  */
 struct mip_sensor_delta_theta {
-    /** Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. */
+    /**
+     * Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and
+     * level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.
+     */
     float delta_theta[3];
 };
 
@@ -533,11 +542,16 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
+ * It includes gravity. Divided by the period, z is -1 g on a device that is level and at rest.
+ *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
  */
 struct mip_sensor_delta_velocity {
-    /** Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. */
+    /**
+     * Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. At rest and
+     * level: x 0, y 0.
+     */
     float delta_velocity[3];
 };
 
@@ -608,8 +622,8 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
 struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor
-     * frame.
+     * m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On
+     * the 3DM-GX5-15: From the NED frame to the sensor frame.
      */
     float m[9];
 };
@@ -682,7 +696,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
 struct mip_sensor_comp_quaternion {
     /**
      * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-     * ned. On the 3DM-GX5-15: Between NED and the sensor frame.
+     * ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
@@ -815,7 +829,8 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  *
  * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: The ranges of the angles. Uncertain:
+ * which no source states.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -823,11 +838,20 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
 struct mip_sensor_comp_euler_angles {
-    /** Roll angle. Unit: rad. Frame: ned. */
+    /**
+     * Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest
+     * and level: 0. Positive: right side down.
+     */
     float roll;
-    /** Pitch angle. Unit: rad. Frame: ned. */
+    /**
+     * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest
+     * and level: 0. Positive: nose up.
+     */
     float pitch;
-    /** Yaw angle. Unit: rad. Frame: ned. */
+    /**
+     * Yaw angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+     * clockwise seen from above.
+     */
     float yaw;
 };
 
@@ -1269,7 +1293,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
 struct mip_sensor_up_vector {
     /**
      * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-     * sensor.
+     * sensor. At rest and level: x 0, y 0, z -1.
      */
     float stabilized_accel[3];
 };
@@ -1346,9 +1370,10 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  */
 struct mip_sensor_gps_timestamp {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags
-     * is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
-     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags is set. On the 3DM-GX5-15 and
+     * 3DM-GX5-35: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is
+     * set.
      */
     double tow;
     /**
@@ -1432,7 +1457,7 @@ struct mip_sensor_temperature_statistics {
     float min_temperature;
     /** Highest temperature. Unit: degC. */
     float max_temperature;
-    /** Mean temperature. Unit: degC. */
+    /** Mean of the temperatures inside the device. Unit: degC. */
     float mean_temperature;
 };
 
@@ -1692,8 +1717,8 @@ struct mip_sensor_odometer {
      */
     float speed;
     /**
-     * Uncertainty of the speed. Unit: m/s. Valid if MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in
-     * valid_flags is set.
+     * Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if
+     * MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in valid_flags is set.
      */
     float uncertainty;
     /** Whether the values are valid. */

@@ -257,7 +257,8 @@ static inline mip_error mip_shared_delta_ticks_encode_inline(
  */
 struct mip_shared_gps_timestamp {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW in valid_flags is set.
+     * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**

@@ -25,11 +25,11 @@ typedef uint32_t mip_gx5_built_in_test;
 #define MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET UINT32_C(0x00000001)
 /** Bit 8. No communication with the inertial sensor. */
 #define MIP_GX5_BUILT_IN_TEST_IMU_COMM_FAULT UINT32_C(0x00000100)
-/** Bit 9. Magnetometer fault, on devices that have one. */
+/** Bit 9. Magnetometer fault, on devices that have one. Concerns mip_sensor_scaled_mag. */
 #define MIP_GX5_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00000200)
-/** Bit 10. Pressure sensor fault, on devices that have one. */
+/** Bit 10. Pressure sensor fault, on devices that have one. Concerns mip_sensor_scaled_pressure. */
 #define MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00000400)
-/** Bit 24. Fault of the estimation filter solution. */
+/** Bit 24. Fault of the estimation filter solution. Concerns mip_filter_reset. */
 #define MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT UINT32_C(0x01000000)
 
 /**
@@ -46,19 +46,21 @@ typedef uint32_t mip_cv7_built_in_test;
 #define MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD UINT32_C(0x00000004)
 /** Bit 3. A data buffer was full, usually because too much data is streamed. */
 #define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
-/** Bit 12. The accelerometer is damaged or does not work. */
+/** Bit 12. The accelerometer is damaged or does not work. Concerns mip_sensor_scaled_accel. */
 #define MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT UINT32_C(0x00001000)
-/** Bit 13. The gyroscope is damaged or does not work. */
+/** Bit 13. The gyroscope is damaged or does not work. Concerns mip_sensor_scaled_gyro. */
 #define MIP_CV7_BUILT_IN_TEST_GYRO_FAULT UINT32_C(0x00002000)
-/** Bit 14. The magnetometer is damaged or does not work. */
+/** Bit 14. The magnetometer is damaged or does not work. Concerns mip_sensor_scaled_mag. */
 #define MIP_CV7_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00004000)
-/** Bit 15. The pressure sensor is damaged or does not work. */
+/** Bit 15. The pressure sensor is damaged or does not work. Concerns mip_sensor_scaled_pressure. */
 #define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
 /** Bit 18. At least one calibration table of the sensors is invalid. */
 #define MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR UINT32_C(0x00040000)
 /** Bit 19. A fault of the inertial sensor subsystem that no other bit covers. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT UINT32_C(0x00080000)
-/** Bit 22. The filter output is invalid (not a number); reset the filter. */
+/**
+ * Bit 22. The filter output is invalid (not a number); reset the filter. Concerns mip_filter_reset.
+ */
 #define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
 /** Bit 23. A fault of the filter subsystem that no other bit covers. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT UINT32_C(0x00800000)
@@ -294,7 +296,7 @@ mip_cv7_continuous_bit_set_imu_timing_overrun(struct mip_cv7_continuous_bit *fla
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Fault of the accelerometer calibration. */
+/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_accel(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -305,7 +307,7 @@ static inline void mip_cv7_continuous_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Fault of the gyroscope calibration. */
+/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_gyro(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -316,7 +318,7 @@ static inline void mip_cv7_continuous_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Fault of the magnetometer calibration. */
+/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_mag(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -327,7 +329,7 @@ static inline void mip_cv7_continuous_bit_set_imu_calibration_error_mag(
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. The accelerometer failed to initialize. */
+/** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_continuous_bit_get_accel_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -338,7 +340,7 @@ mip_cv7_continuous_bit_set_accel_general_fault(struct mip_cv7_continuous_bit *fl
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. An axis is near or outside the selected range. */
+/** Bit 41. An axis is near or outside the selected range. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_continuous_bit_get_accel_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
@@ -349,7 +351,9 @@ static inline void mip_cv7_continuous_bit_set_accel_over_range(struct mip_cv7_co
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The self test failed; updated by the commanded test. */
+/**
+ * Bit 42. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_accel.
+ */
 static inline bool
 mip_cv7_continuous_bit_get_accel_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
@@ -360,7 +364,7 @@ mip_cv7_continuous_bit_set_accel_self_test_fail(struct mip_cv7_continuous_bit *f
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. The gyroscope failed to initialize. */
+/** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_continuous_bit_get_gyro_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -371,7 +375,7 @@ mip_cv7_continuous_bit_set_gyro_general_fault(struct mip_cv7_continuous_bit *fla
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. An axis is near or outside the selected range. */
+/** Bit 45. An axis is near or outside the selected range. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_continuous_bit_get_gyro_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
@@ -382,7 +386,7 @@ static inline void mip_cv7_continuous_bit_set_gyro_over_range(struct mip_cv7_con
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The self test failed; updated by the commanded test. */
+/** Bit 46. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_continuous_bit_get_gyro_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
@@ -393,7 +397,7 @@ mip_cv7_continuous_bit_set_gyro_self_test_fail(struct mip_cv7_continuous_bit *fl
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. The magnetometer failed to initialize. */
+/** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_continuous_bit_get_mag_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -404,7 +408,7 @@ mip_cv7_continuous_bit_set_mag_general_fault(struct mip_cv7_continuous_bit *flag
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. An axis is near or outside the supported range. */
+/** Bit 49. An axis is near or outside the supported range. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_continuous_bit_get_mag_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
@@ -415,7 +419,7 @@ static inline void mip_cv7_continuous_bit_set_mag_over_range(struct mip_cv7_cont
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The self test failed; updated by the commanded test. */
+/** Bit 50. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_continuous_bit_get_mag_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
@@ -426,7 +430,7 @@ mip_cv7_continuous_bit_set_mag_self_test_fail(struct mip_cv7_continuous_bit *fla
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. The pressure sensor failed to initialize. */
+/** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
 static inline bool mip_cv7_continuous_bit_get_pressure_sensor_general_fault(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -437,7 +441,7 @@ static inline void mip_cv7_continuous_bit_set_pressure_sensor_general_fault(
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53. The pressure is outside the supported range. */
+/** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_continuous_bit_get_pressure_sensor_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
@@ -448,7 +452,9 @@ static inline void mip_cv7_continuous_bit_set_pressure_sensor_over_range(
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The self test failed; updated by the commanded test. */
+/**
+ * Bit 54. The self test failed; updated by the commanded test. Concerns mip_sensor_scaled_pressure.
+ */
 static inline bool mip_cv7_continuous_bit_get_pressure_sensor_self_test_fail(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);

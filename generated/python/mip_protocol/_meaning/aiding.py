@@ -66,7 +66,7 @@ TYPES: dict[str, Info] = {
             Parameter("time", "time", "struct", type=aiding.MeasurementTime),
             Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
             Parameter("height", "height", "scalar", scalar="float", units=("m",), frame="llh"),
-            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m",)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m",), minimum=0),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
         ),
     ),

@@ -108,14 +108,14 @@ TYPES: dict[str, Info] = {
     "ExternalGnssUpdate": FieldInfo(
         "filter.external_gnss_update", filter.ExternalGnssUpdate, devices=("3dm-gx5-45",), perhaps=("3dm-cv5-45", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), minimum=-90, maximum=90, frame="llh"),
             Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), minimum=-180, maximum=180, frame="llh"),
             Parameter("height", "height", "scalar", scalar="double", units=("m",), frame="llh"),
             Parameter("velocity", "velocity", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned"),
-            Parameter("position_uncertainty", "position_uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m",), frame="ned"),
-            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned"),
+            Parameter("position_uncertainty", "position_uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m",), frame="ned", minimum=0),
+            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned", minimum=0),
         ),
     ),
     "ExternalHeadingUpdate": FieldInfo(
@@ -181,7 +181,7 @@ TYPES: dict[str, Info] = {
     "ExternalHeadingUpdateWithTime": FieldInfo(
         "filter.external_heading_update_with_time", filter.ExternalHeadingUpdateWithTime, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gq7", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
             Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), above=0),
@@ -287,9 +287,9 @@ TYPES: dict[str, Info] = {
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), optional=True),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("m/s^2",), optional=True),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("m/s^2",), optional=True),
-            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True),
+            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True, minimum=0),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True, minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True, minimum=0),
         ),
     ),
     "MagMagnitudeErrorAdaptiveMeasurement": FieldInfo(
@@ -300,9 +300,9 @@ TYPES: dict[str, Info] = {
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",), required=("write",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",), required=("write",)),
-            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",)),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",)),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",)),
+            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",), minimum=0),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",), minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",), minimum=0),
         ),
     ),
     "MagDipAngleErrorAdaptiveMeasurement": FieldInfo(
@@ -312,8 +312,8 @@ TYPES: dict[str, Info] = {
             Parameter("enable", "enable", "scalar", scalar="bool", required=("write",)),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",), required=("write",)),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",)),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",)),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",), minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",), minimum=0),
         ),
     ),
     "AltitudeAiding": FieldInfo(
@@ -429,9 +429,9 @@ TYPES: dict[str, Info] = {
         "filter.speed_measurement", filter.SpeedMeasurement,
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", default=1, reserved=True),
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), maximum=604800, minimum=0),
             Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), frame="vehicle"),
-            Parameter("speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",)),
+            Parameter("speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",), minimum=0),
         ),
     ),
     "SpeedLeverArm": FieldInfo(
@@ -619,9 +619,9 @@ TYPES: dict[str, Info] = {
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("m/s^2",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("m/s^2",)),
-            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",)),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",)),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",)),
+            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), minimum=0),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",), minimum=0),
         ),
     ),
     "MagMagnitudeErrorAdaptiveMeasurementResponse": FieldInfo(
@@ -631,9 +631,9 @@ TYPES: dict[str, Info] = {
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
-            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",)),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("gauss",)),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",)),
+            Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",), minimum=0),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("gauss",), minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",), minimum=0),
         ),
     ),
     "MagDipAngleErrorAdaptiveMeasurementResponse": FieldInfo(
@@ -642,8 +642,8 @@ TYPES: dict[str, Info] = {
             Parameter("enable", "enable", "scalar", scalar="bool"),
             Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
-            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",)),
-            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",)),
+            Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",), minimum=0),
+            Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",), minimum=0),
         ),
     ),
     "AltitudeAidingResponse": FieldInfo(

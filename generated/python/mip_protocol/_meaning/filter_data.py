@@ -60,9 +60,9 @@ TYPES: dict[str, Info] = {
     "EulerAngles": FieldInfo(
         "filter_data.euler_angles", filter_data.EulerAngles, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
-            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -83,41 +83,41 @@ TYPES: dict[str, Info] = {
     "LlhPositionUncertainty": FieldInfo(
         "filter_data.llh_position_uncertainty", filter_data.LlhPositionUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
-            Parameter("north", "north", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("east", "east", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("down", "down", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("north", "north", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("east", "east", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("down", "down", "scalar", scalar="float", units=("m",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "NedVelocityUncertainty": FieldInfo(
         "filter_data.ned_velocity_uncertainty", filter_data.NedVelocityUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
-            Parameter("north", "north", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("east", "east", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("down", "down", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("north", "north", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("east", "east", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("down", "down", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.valid",), frame="ned", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "EulerAnglesUncertainty": FieldInfo(
         "filter_data.euler_angles_uncertainty", filter_data.EulerAnglesUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "GyroBiasUncertainty": FieldInfo(
         "filter_data.gyro_bias_uncertainty", filter_data.GyroBiasUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "AccelBiasUncertainty": FieldInfo(
         "filter_data.accel_bias_uncertainty", filter_data.AccelBiasUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-45", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins", "3dm-gx5-45"),
         parameters=(
-            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -138,7 +138,7 @@ TYPES: dict[str, Info] = {
     "Wgs84GravityMagnitude": FieldInfo(
         "filter_data.wgs84_gravity_magnitude", filter_data.Wgs84GravityMagnitude, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -153,7 +153,7 @@ TYPES: dict[str, Info] = {
     "Timestamp": FieldInfo(
         "filter_data.timestamp", filter_data.Timestamp, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.valid",), below=604800, minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
@@ -161,7 +161,7 @@ TYPES: dict[str, Info] = {
     "QuaternionAttitudeUncertainty": FieldInfo(
         "filter_data.quaternion_attitude_uncertainty", filter_data.QuaternionAttitudeUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -176,7 +176,7 @@ TYPES: dict[str, Info] = {
         "filter_data.heading_update_state", filter_data.HeadingUpdateState, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("source", "source", "scalar", scalar="u16", type=filter_data.HeadingSourceFlags, variants=(Variant("device", ("3dm-gx5-15",), {"only": ("external",)}),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
@@ -209,14 +209,14 @@ TYPES: dict[str, Info] = {
     "GyroScaleFactorUncertainty": FieldInfo(
         "filter_data.gyro_scale_factor_uncertainty", filter_data.GyroScaleFactorUncertainty,
         parameters=(
-            Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "AccelScaleFactorUncertainty": FieldInfo(
         "filter_data.accel_scale_factor_uncertainty", filter_data.AccelScaleFactorUncertainty,
         parameters=(
-            Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -230,7 +230,7 @@ TYPES: dict[str, Info] = {
     "MagBiasUncertainty": FieldInfo(
         "filter_data.mag_bias_uncertainty", filter_data.MagBiasUncertainty,
         parameters=(
-            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("bias_uncertainty", "bias_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -283,14 +283,14 @@ TYPES: dict[str, Info] = {
     "MagOffsetUncertainty": FieldInfo(
         "filter_data.mag_offset_uncertainty", filter_data.MagOffsetUncertainty, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("hard_iron_uncertainty", "hard_iron_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("hard_iron_uncertainty", "hard_iron_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "MagMatrixUncertainty": FieldInfo(
         "filter_data.mag_matrix_uncertainty", filter_data.MagMatrixUncertainty, perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("soft_iron_uncertainty", "soft_iron_uncertainty", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("soft_iron_uncertainty", "soft_iron_uncertainty", "array", scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), valid=("valid_flags.valid",), frame="sensor", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -318,7 +318,7 @@ TYPES: dict[str, Info] = {
     "AntennaOffsetCorrectionUncertainty": FieldInfo(
         "filter_data.antenna_offset_correction_uncertainty", filter_data.AntennaOffsetCorrectionUncertainty,
         parameters=(
-            Parameter("offset_uncertainty", "offset_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("offset_uncertainty", "offset_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -335,8 +335,8 @@ TYPES: dict[str, Info] = {
         "filter_data.clock_correction_uncertainty", filter_data.ClockCorrectionUncertainty,
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
-            Parameter("bias_uncertainty", "bias_uncertainty", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("bias_drift_uncertainty", "bias_drift_uncertainty", "scalar", scalar="float", units=("s/s",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("bias_uncertainty", "bias_uncertainty", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("bias_drift_uncertainty", "bias_drift_uncertainty", "scalar", scalar="float", units=("s/s",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -352,21 +352,21 @@ TYPES: dict[str, Info] = {
         "filter_data.multi_antenna_offset_correction_uncertainty", filter_data.MultiAntennaOffsetCorrectionUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-            Parameter("offset_uncertainty", "offset_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("offset_uncertainty", "offset_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "EcefPositionUncertainty": FieldInfo(
         "filter_data.ecef_position_uncertainty", filter_data.EcefPositionUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
-            Parameter("position_uncertainty", "position_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="ecef", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("position_uncertainty", "position_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="ecef", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "EcefVelocityUncertainty": FieldInfo(
         "filter_data.ecef_velocity_uncertainty", filter_data.EcefVelocityUncertainty, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
-            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.valid",), frame="ecef", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.valid",), frame="ecef", minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -395,7 +395,7 @@ TYPES: dict[str, Info] = {
         "filter_data.gnss_position_aiding_status", filter_data.GnssPositionAidingStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), maximum=604800, minimum=0),
             Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
             Parameter("reserved", "reserved", "array", scalar="u8", length=8, reserved=True, default=0),
         ),
@@ -403,7 +403,7 @@ TYPES: dict[str, Info] = {
     "GnssAttitudeAidingStatus": FieldInfo(
         "filter_data.gnss_attitude_aiding_status", filter_data.GnssAttitudeAidingStatus,
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), maximum=604800, minimum=0),
             Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
             Parameter("reserved", "reserved", "array", scalar="u8", length=8, reserved=True, default=0),
         ),
@@ -411,7 +411,7 @@ TYPES: dict[str, Info] = {
     "HeadingAidingStatus": FieldInfo(
         "filter_data.heading_aiding_status", filter_data.HeadingAidingStatus,
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), maximum=604800, minimum=0),
             Parameter("type", "type", "scalar", scalar="u8", type=filter_data.HeadingAidingType),
             Parameter("reserved", "reserved", "array", scalar="float", length=2, reserved=True, default=0.0),
         ),
@@ -419,7 +419,7 @@ TYPES: dict[str, Info] = {
     "AidingMeasurementSummary": FieldInfo(
         "filter_data.aiding_measurement_summary", filter_data.AidingMeasurementSummary, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), maximum=604800, minimum=0),
             Parameter("source", "source", "scalar", scalar="u8"),
             Parameter("type", "type", "scalar", scalar="u8", type=filter_data.AidingMeasurementType),
             Parameter("indicator", "indicator", "scalar", scalar="u8", type=filter_data.AidingMeasurementIndicator),
@@ -435,16 +435,16 @@ TYPES: dict[str, Info] = {
     "OdometerScaleFactorErrorUncertainty": FieldInfo(
         "filter_data.odometer_scale_factor_error_uncertainty", filter_data.OdometerScaleFactorErrorUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-gq7",),
         parameters=(
-            Parameter("scale_factor_error_uncertainty", "scale_factor_error_uncertainty", "scalar", scalar="float", units=("1",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("scale_factor_error_uncertainty", "scale_factor_error_uncertainty", "scalar", scalar="float", units=("1",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
     "GnssDualAntennaStatus": FieldInfo(
         "filter_data.gnss_dual_antenna_status", filter_data.GnssDualAntennaStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",), maximum=604800, minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
-            Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",), minimum=0, flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("fix_type", "fix_type", "scalar", scalar="u8", type=filter_data.DualAntennaFixType),
             Parameter("status_flags", "status_flags", "scalar", scalar="u16", type=filter_data.DualAntennaStatusFlags),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags),
@@ -462,8 +462,8 @@ TYPES: dict[str, Info] = {
         "filter_data.aiding_frame_config_error_uncertainty", filter_data.AidingFrameConfigErrorUncertainty, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv7-ins", "3dm-cx7-ins", "3dm-gv7-ins"),
         parameters=(
             Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
-            Parameter("translation_uncertainty", "translation_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",)),
-            Parameter("attitude_uncertainty", "attitude_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("rad",)),
+            Parameter("translation_uncertainty", "translation_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("m",), minimum=0),
+            Parameter("attitude_uncertainty", "attitude_uncertainty", "array", scalar="float", elements=("x", "y", "z"), units=("rad",), minimum=0),
         ),
     ),
 }

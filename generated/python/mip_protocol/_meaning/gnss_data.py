@@ -60,8 +60,8 @@ TYPES: dict[str, Info] = {
             Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.ellipsoid_height",), frame="llh", flags=(Flag("valid_flags.ellipsoid_height", "valid_flags", 0x2),)),
             Parameter("msl_height", "msl_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.msl_height",), flags=(Flag("valid_flags.msl_height", "valid_flags", 0x4),)),
-            Parameter("horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.horizontal_accuracy",), flags=(Flag("valid_flags.horizontal_accuracy", "valid_flags", 0x8),)),
-            Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.vertical_accuracy",), flags=(Flag("valid_flags.vertical_accuracy", "valid_flags", 0x10),)),
+            Parameter("horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.horizontal_accuracy",), minimum=0, flags=(Flag("valid_flags.horizontal_accuracy", "valid_flags", 0x8),)),
+            Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.vertical_accuracy",), minimum=0, flags=(Flag("valid_flags.vertical_accuracy", "valid_flags", 0x10),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.LlhPositionFlags),
         ),
     ),
@@ -69,7 +69,7 @@ TYPES: dict[str, Info] = {
         "gnss_data.ecef_position", gnss_data.EcefPosition, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
             Parameter("position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.position",), frame="ecef", flags=(Flag("valid_flags.position", "valid_flags", 0x1),)),
-            Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.position_accuracy",), flags=(Flag("valid_flags.position_accuracy", "valid_flags", 0x2),)),
+            Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.position_accuracy",), minimum=0, flags=(Flag("valid_flags.position_accuracy", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EcefPositionFlags),
         ),
     ),
@@ -78,10 +78,10 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("north", "east", "down"), units=("m/s",), valid=("valid_flags.velocity",), frame="ned", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
             Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_3d",), flags=(Flag("valid_flags.speed_3d", "valid_flags", 0x2),)),
-            Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.ground_speed",), flags=(Flag("valid_flags.ground_speed", "valid_flags", 0x4),)),
+            Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.ground_speed",), minimum=0, flags=(Flag("valid_flags.ground_speed", "valid_flags", 0x4),)),
             Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), frame="ned", flags=(Flag("valid_flags.heading", "valid_flags", 0x8),)),
-            Parameter("speed_accuracy", "speed_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_accuracy",), flags=(Flag("valid_flags.speed_accuracy", "valid_flags", 0x10),)),
-            Parameter("heading_accuracy", "heading_accuracy", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading_accuracy",), flags=(Flag("valid_flags.heading_accuracy", "valid_flags", 0x20),)),
+            Parameter("speed_accuracy", "speed_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.speed_accuracy",), minimum=0, flags=(Flag("valid_flags.speed_accuracy", "valid_flags", 0x10),)),
+            Parameter("heading_accuracy", "heading_accuracy", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading_accuracy",), minimum=0, flags=(Flag("valid_flags.heading_accuracy", "valid_flags", 0x20),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.NedVelocityFlags),
         ),
     ),
@@ -89,20 +89,20 @@ TYPES: dict[str, Info] = {
         "gnss_data.ecef_velocity", gnss_data.EcefVelocity, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gq7", "3dm-gx5-35"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("velocity", "velocity", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.velocity",), frame="ecef", flags=(Flag("valid_flags.velocity", "valid_flags", 0x1),)),
-            Parameter("velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.velocity_accuracy",), flags=(Flag("valid_flags.velocity_accuracy", "valid_flags", 0x2),)),
+            Parameter("velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.velocity_accuracy",), minimum=0, flags=(Flag("valid_flags.velocity_accuracy", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.EcefVelocityFlags),
         ),
     ),
     "Dop": FieldInfo(
         "gnss_data.dop", gnss_data.Dop, devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("gdop", "gdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.gdop",), flags=(Flag("valid_flags.gdop", "valid_flags", 0x1),)),
-            Parameter("pdop", "pdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.pdop",), flags=(Flag("valid_flags.pdop", "valid_flags", 0x2),)),
-            Parameter("hdop", "hdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.hdop",), flags=(Flag("valid_flags.hdop", "valid_flags", 0x4),)),
-            Parameter("vdop", "vdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.vdop",), flags=(Flag("valid_flags.vdop", "valid_flags", 0x8),)),
-            Parameter("tdop", "tdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.tdop",), flags=(Flag("valid_flags.tdop", "valid_flags", 0x10),)),
-            Parameter("ndop", "ndop", "scalar", scalar="float", units=("1",), valid=("valid_flags.ndop",), flags=(Flag("valid_flags.ndop", "valid_flags", 0x20),)),
-            Parameter("edop", "edop", "scalar", scalar="float", units=("1",), valid=("valid_flags.edop",), flags=(Flag("valid_flags.edop", "valid_flags", 0x40),)),
+            Parameter("gdop", "gdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.gdop",), minimum=0, flags=(Flag("valid_flags.gdop", "valid_flags", 0x1),)),
+            Parameter("pdop", "pdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.pdop",), minimum=0, flags=(Flag("valid_flags.pdop", "valid_flags", 0x2),)),
+            Parameter("hdop", "hdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.hdop",), minimum=0, flags=(Flag("valid_flags.hdop", "valid_flags", 0x4),)),
+            Parameter("vdop", "vdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.vdop",), minimum=0, flags=(Flag("valid_flags.vdop", "valid_flags", 0x8),)),
+            Parameter("tdop", "tdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.tdop",), minimum=0, flags=(Flag("valid_flags.tdop", "valid_flags", 0x10),)),
+            Parameter("ndop", "ndop", "scalar", scalar="float", units=("1",), valid=("valid_flags.ndop",), minimum=0, flags=(Flag("valid_flags.ndop", "valid_flags", 0x20),)),
+            Parameter("edop", "edop", "scalar", scalar="float", units=("1",), valid=("valid_flags.edop",), minimum=0, flags=(Flag("valid_flags.edop", "valid_flags", 0x40),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DopFlags),
         ),
     ),
@@ -122,7 +122,7 @@ TYPES: dict[str, Info] = {
     "GpsTime": FieldInfo(
         "gnss_data.gps_time", gnss_data.GpsTime, devices=("3dm-cv7-gnss-ins",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gq4-45", "3dm-gq7", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.GpsTimeFlags),
         ),
@@ -132,7 +132,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
             Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift",), flags=(Flag("valid_flags.drift", "valid_flags", 0x2),)),
-            Parameter("accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.accuracy_estimate",), flags=(Flag("valid_flags.accuracy_estimate", "valid_flags", 0x4),)),
+            Parameter("accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.accuracy_estimate",), minimum=0, flags=(Flag("valid_flags.accuracy_estimate", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.ClockInfoFlags),
         ),
     ),
@@ -201,8 +201,8 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
             Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift",), flags=(Flag("valid_flags.drift", "valid_flags", 0x2),)),
-            Parameter("bias_accuracy_estimate", "bias_accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias_accuracy",), flags=(Flag("valid_flags.bias_accuracy", "valid_flags", 0x4),)),
-            Parameter("drift_accuracy_estimate", "drift_accuracy_estimate", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift_accuracy",), flags=(Flag("valid_flags.drift_accuracy", "valid_flags", 0x8),)),
+            Parameter("bias_accuracy_estimate", "bias_accuracy_estimate", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias_accuracy",), minimum=0, flags=(Flag("valid_flags.bias_accuracy", "valid_flags", 0x4),)),
+            Parameter("drift_accuracy_estimate", "drift_accuracy_estimate", "scalar", scalar="double", units=("s/s",), valid=("valid_flags.drift_accuracy",), minimum=0, flags=(Flag("valid_flags.drift_accuracy", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.ClockInfo2Flags),
         ),
     ),
@@ -216,7 +216,7 @@ TYPES: dict[str, Info] = {
     "SbasInfo": FieldInfo(
         "gnss_data.sbas_info", gnss_data.SbasInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("sbas_system", "sbas_system", "scalar", scalar="u8", valid=("valid_flags.sbas_system",), type=gnss_data.SbasSystem, flags=(Flag("valid_flags.sbas_system", "valid_flags", 0x4),)),
             Parameter("sbas_id", "sbas_id", "scalar", scalar="u8", valid=("valid_flags.sbas_id",), flags=(Flag("valid_flags.sbas_id", "valid_flags", 0x8),)),
@@ -230,7 +230,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
@@ -255,7 +255,7 @@ TYPES: dict[str, Info] = {
         "gnss_data.heading", gnss_data.Heading,
         parameters=(
             Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), flags=(Flag("valid_flags.heading", "valid_flags", 0x1),)),
-            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("deg",), valid=("valid_flags.uncertainty",), flags=(Flag("valid_flags.uncertainty", "valid_flags", 0x2),)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("deg",), valid=("valid_flags.uncertainty",), minimum=0, flags=(Flag("valid_flags.uncertainty", "valid_flags", 0x2),)),
             Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=gnss_data.HeadingFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.HeadingFlags),
         ),
@@ -265,11 +265,11 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", valid=("valid_flags.gnss_id",), type=types.GnssConstellation, flags=(Flag("valid_flags.gnss_id", "valid_flags", 0x4),)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x8),)),
-            Parameter("elevation", "elevation", "scalar", scalar="float", units=("deg",), valid=("valid_flags.elevation",), flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
+            Parameter("elevation", "elevation", "scalar", scalar="float", units=("deg",), valid=("valid_flags.elevation",), minimum=-90, maximum=90, flags=(Flag("valid_flags.elevation", "valid_flags", 0x10),)),
             Parameter("azimuth", "azimuth", "scalar", scalar="float", units=("deg",), valid=("valid_flags.azimuth",), flags=(Flag("valid_flags.azimuth", "valid_flags", 0x20),)),
             Parameter("health", "health", "scalar", scalar="bool", valid=("valid_flags.health",), flags=(Flag("valid_flags.health", "valid_flags", 0x40),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.SatelliteStatusFlags),
@@ -280,7 +280,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u16", valid=("valid_flags.receiver_id",), flags=(Flag("valid_flags.receiver_id", "valid_flags", 0x4),)),
             Parameter("tracking_channel", "tracking_channel", "scalar", scalar="u8", valid=("valid_flags.tracking_channel",), flags=(Flag("valid_flags.tracking_channel", "valid_flags", 0x8),)),
@@ -292,9 +292,9 @@ TYPES: dict[str, Info] = {
             Parameter("pseudorange", "pseudorange", "scalar", scalar="double", units=("m",), valid=("valid_flags.pseudorange",), flags=(Flag("valid_flags.pseudorange", "valid_flags", 0x200),)),
             Parameter("carrier_phase", "carrier_phase", "scalar", scalar="double", units=("cycle",), valid=("valid_flags.carrier_phase",), flags=(Flag("valid_flags.carrier_phase", "valid_flags", 0x400),)),
             Parameter("doppler", "doppler", "scalar", scalar="float", units=("Hz",), valid=("valid_flags.doppler",), flags=(Flag("valid_flags.doppler", "valid_flags", 0x800),)),
-            Parameter("range_uncertainty", "range_uncertainty", "scalar", scalar="float", units=("m",), valid=("valid_flags.range_uncertainty",), flags=(Flag("valid_flags.range_uncertainty", "valid_flags", 0x1000),)),
-            Parameter("phase_uncertainty", "phase_uncertainty", "scalar", scalar="float", units=("cycle",), valid=("valid_flags.carrier_phase_uncertainty",), flags=(Flag("valid_flags.carrier_phase_uncertainty", "valid_flags", 0x2000),)),
-            Parameter("doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",), valid=("valid_flags.doppler_uncertainty",), flags=(Flag("valid_flags.doppler_uncertainty", "valid_flags", 0x4000),)),
+            Parameter("range_uncertainty", "range_uncertainty", "scalar", scalar="float", units=("m",), valid=("valid_flags.range_uncertainty",), minimum=0, flags=(Flag("valid_flags.range_uncertainty", "valid_flags", 0x1000),)),
+            Parameter("phase_uncertainty", "phase_uncertainty", "scalar", scalar="float", units=("cycle",), valid=("valid_flags.carrier_phase_uncertainty",), minimum=0, flags=(Flag("valid_flags.carrier_phase_uncertainty", "valid_flags", 0x2000),)),
+            Parameter("doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",), valid=("valid_flags.doppler_uncertainty",), minimum=0, flags=(Flag("valid_flags.doppler_uncertainty", "valid_flags", 0x4000),)),
             Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",), valid=("valid_flags.lock_time",), flags=(Flag("valid_flags.lock_time", "valid_flags", 0x8000),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RawFlags),
         ),
@@ -302,7 +302,7 @@ TYPES: dict[str, Info] = {
     "BaseStationInfo": FieldInfo(
         "gnss_data.base_station_info", gnss_data.BaseStationInfo, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("ecef_position", "ecef_position", "array", scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.ecef_position",), frame="ecef", flags=(Flag("valid_flags.ecef_position", "valid_flags", 0x4),)),
             Parameter("height", "height", "scalar", scalar="float", units=("m",), valid=("valid_flags.height",), flags=(Flag("valid_flags.height", "valid_flags", 0x8),)),
@@ -314,7 +314,7 @@ TYPES: dict[str, Info] = {
     "RtkCorrectionsStatus": FieldInfo(
         "gnss_data.rtk_corrections_status", gnss_data.RtkCorrectionsStatus, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("epoch_status", "epoch_status", "scalar", scalar="u16", valid=("valid_flags.epoch_status",), type=gnss_data.RtkEpochStatus, flags=(Flag("valid_flags.epoch_status", "valid_flags", 0x4),)),
             Parameter("dongle_status", "dongle_status", "scalar", scalar="u32", valid=("valid_flags.dongle_status",), type=types.RtkStatusFlags, flags=(Flag("valid_flags.dongle_status", "valid_flags", 0x8),)),
@@ -331,7 +331,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
             Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
@@ -370,7 +370,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
             Parameter("frequency_number", "frequency_number", "scalar", scalar="s8", valid=("valid_flags.ephemeris",), minimum=-7, maximum=24, flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
@@ -400,7 +400,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
             Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
@@ -439,7 +439,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("index", "index", "scalar", scalar="u8"),
             Parameter("count", "count", "scalar", scalar="u8"),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
             Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
             Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
@@ -476,7 +476,7 @@ TYPES: dict[str, Info] = {
     "GpsIonoCorrection": FieldInfo(
         "gnss_data.gps_iono_correction", gnss_data.GpsIonoCorrection,
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",), flags=(Flag("valid_flags.beta", "valid_flags", 0x8),)),
@@ -486,7 +486,7 @@ TYPES: dict[str, Info] = {
     "GalileoIonoCorrection": FieldInfo(
         "gnss_data.galileo_iono_correction", gnss_data.GalileoIonoCorrection,
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=3, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("disturbance_flags", "disturbance_flags", "scalar", scalar="u8", valid=("valid_flags.disturbance_flags",), flags=(Flag("valid_flags.disturbance_flags", "valid_flags", 0x8),)),
@@ -496,7 +496,7 @@ TYPES: dict[str, Info] = {
     "BeidouIonoCorrection": FieldInfo(
         "gnss_data.beidou_iono_correction", gnss_data.BeidouIonoCorrection,
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
             Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",), flags=(Flag("valid_flags.beta", "valid_flags", 0x8),)),

@@ -210,9 +210,9 @@ TYPES: dict[str, Info] = {
         "3dm.gnss_time_assistance", mip_3dm.GnssTimeAssistance, functions=("write", "read"), devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), required=("write",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, required=("write",), minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), required=("write",)),
-            Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",), required=("write",)),
+            Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",), required=("write",), minimum=0),
         ),
     ),
     "PpsSourceControl": FieldInfo(
@@ -399,7 +399,7 @@ TYPES: dict[str, Info] = {
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("mode", "mode", "scalar", scalar="u8", required=("write",), type=mip_3dm.OdometerMode),
             Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",), required=("write",)),
-            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",), required=("write",)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",), required=("write",), minimum=0),
         ),
     ),
     "ImuLowPassFilter": FieldInfo(
@@ -902,9 +902,9 @@ TYPES: dict[str, Info] = {
     "GnssTimeAssistanceResponse": FieldInfo(
         "3dm.gnss_time_assistance_response", mip_3dm.GnssTimeAssistanceResponse, devices=("3dm-gx5-35",), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx5-45"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), below=604800, minimum=0),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-            Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
+            Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",), minimum=0),
         ),
     ),
     "PpsSourceControlResponse": FieldInfo(
@@ -1001,7 +1001,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
             Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
-            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",), minimum=0),
         ),
     ),
     "SensorRangeResponse": FieldInfo(

@@ -81,9 +81,9 @@ TYPES: dict[str, Info] = {
     "CompEulerAngles": FieldInfo(
         "sensor.comp_euler_angles", sensor.CompEulerAngles, devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), frame="ned"),
-            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), frame="ned"),
-            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), frame="ned"),
+            Parameter("roll", "roll", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
+            Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966, frame="ned"),
+            Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
         ),
     ),
     "OrientationRawTemperature": FieldInfo(
@@ -128,7 +128,7 @@ TYPES: dict[str, Info] = {
     "GpsTimestamp": FieldInfo(
         "sensor.gps_timestamp", sensor.GpsTimestamp, devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow_valid",), flags=(Flag("valid_flags.tow_valid", "valid_flags", 0x8),), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"valid": ("valid_flags.time_initialized",)}),), flags_on={"3dm-gx5-15": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),), "3dm-gx5-35": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),)}),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow_valid",), below=604800, minimum=0, flags=(Flag("valid_flags.tow_valid", "valid_flags", 0x8),), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"valid": ("valid_flags.time_initialized",)}),), flags_on={"3dm-gx5-15": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),), "3dm-gx5-35": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),)}),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number_valid",), flags=(Flag("valid_flags.week_number_valid", "valid_flags", 0x10),), variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"valid": ("valid_flags.time_initialized",)}),), flags_on={"3dm-gx5-15": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),), "3dm-gx5-35": (Flag("valid_flags.time_initialized", "valid_flags", 0x4),)}),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.SensorGpsTimestampFlags, variants=(Variant("device", ("3dm-gx5-15", "3dm-gx5-35"), {"type": types.Gx5SensorGpsTimestampFlags}),)),
         ),
@@ -163,7 +163,7 @@ TYPES: dict[str, Info] = {
         "sensor.odometer", sensor.Odometer, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
             Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.odometer",), flags=(Flag("valid_flags.odometer", "valid_flags", 0x1),)),
-            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.odometer",), flags=(Flag("valid_flags.odometer", "valid_flags", 0x1),)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m/s",), valid=("valid_flags.odometer",), minimum=0, flags=(Flag("valid_flags.odometer", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=sensor.OdometerFlags),
         ),
     ),

@@ -34,7 +34,7 @@ TYPES: dict[str, Info] = {
     "GpsTimestamp": FieldInfo(
         "shared.gps_timestamp", shared.GpsTimestamp, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
+            Parameter("tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",), below=604800, minimum=0, flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=shared.GpsTimestampFlags),
         ),

@@ -118,8 +118,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Supported
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Changes
+    /// [`filter_data::AidingFrameConfigError`](crate::filter_data::AidingFrameConfigError).
+    /// Probably changes
+    /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
     /// Probably supported by [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -313,7 +316,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Position.
+        /// Position of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
@@ -379,16 +382,15 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set. Uncertain: The range, which
-        /// no source states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -459,7 +461,7 @@ record! {
         pub height: f32,
         /// Uncertainty of the height.
         ///
-        /// Unit: m.
+        /// Unit: m. Range: at least 0.
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,
@@ -515,7 +517,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
@@ -581,7 +583,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid flag.
         /// north: [`valid_flags.x`](AxisFlags::x), east: [`valid_flags.y`](AxisFlags::y), down:
@@ -650,7 +652,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity.
+        /// Velocity of the origin of the frame.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
@@ -716,9 +718,10 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Heading.
+        /// Heading relative to true north.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
@@ -778,7 +781,7 @@ record! {
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Magnetic field.
+        /// Calibrated magnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
         /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:

@@ -576,7 +576,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
     /// and [apply](types::FunctionSelector::APPLY). Answered by [`GpsTimeUpdateWeekNumberResponse`]
-    /// or [`GpsTimeUpdateTowResponse`]. Supported by
+    /// or [`GpsTimeUpdateTowResponse`]. Changes
+    /// [`filter_data::Timestamp`](crate::filter_data::Timestamp),
+    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp),
+    /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp) and
+    /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by

@@ -323,7 +323,15 @@ record! {
     ///
     /// Returns the filter to its initialization state.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changes filter_data (0x82). Flagged by
+    /// [`solution_fault`](types::Gx5BuiltInTest::solution_fault) of [`types::Gx5BuiltInTest`],
+    /// [`filter_solution_fault`](types::Cv7BuiltInTest::filter_solution_fault) of
+    /// [`types::Cv7BuiltInTest`],
+    /// [`run_nan_in_solution_warning`](crate::filter_data::Gx5StatusFlags::run_nan_in_solution_warning)
+    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags) and
+    /// [`solution_error`](crate::filter_data::Cv7StatusFlags::solution_error) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
@@ -371,16 +379,19 @@ record! {
     ///
     /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -389,15 +400,18 @@ record! {
     pub struct SetInitialAttitude {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right
+        /// side down.
         pub roll: f32,
         /// Pitch angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose
+        /// up.
         pub pitch: f32,
         /// Heading (yaw) angle.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
     }
 }
@@ -427,7 +441,10 @@ record! {
     ///
     /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
@@ -453,7 +470,8 @@ record! {
     pub struct SetInitialHeading {
         /// Initial heading.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
     }
 }
@@ -479,7 +497,10 @@ record! {
     ///
     /// Initializes the attitude of the filter with that of the complementary filter.
     ///
-    /// Also called `set_initial_heading_from_mag`. Probably supported by
+    /// Also called `set_initial_heading_from_mag`. Changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Probably supported by
     /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014, MicroStrain
     /// Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
     /// initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example
@@ -517,7 +538,8 @@ record! {
     ///
     /// Starts a filter that is configured to wait for this command.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changes [`filter_data::Status`](crate::filter_data::Status). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS).
@@ -554,12 +576,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-GX3-25](crate::devices::GX3_25).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Probably changes filter_data (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Refused by [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -616,9 +638,21 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [`SensorToVehicleRotationEulerResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
@@ -630,9 +664,6 @@ record! {
     /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
     /// which the 3DM-CV7 manual states.
     ///
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
-    ///   gravity vector of the filter.
     /// - The 3DM-CV7 uses the inverse instead:
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     /// - `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
@@ -704,7 +735,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// Changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -712,7 +744,6 @@ record! {
     /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     /// from the name.
     ///
-    /// - It shifts only [`filter_data::LlhPosition`](crate::filter_data::LlhPosition).
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
@@ -768,10 +799,18 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`]. Probably
+    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection).
+    /// Flagged by
+    /// [`run_antenna_offset_correction_est_high_warning`](crate::filter_data::Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
+    /// of [`filter_data::Gx5StatusFlags`](crate::filter_data::Gx5StatusFlags). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -836,16 +875,29 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EstimationControlResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Changes [`filter_data::GyroBias`](crate::filter_data::GyroBias),
+    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias),
+    /// [`filter_data::GyroScaleFactor`](crate::filter_data::GyroScaleFactor),
+    /// [`filter_data::AccelScaleFactor`](crate::filter_data::AccelScaleFactor),
+    /// [`filter_data::AntennaOffsetCorrection`](crate::filter_data::AntennaOffsetCorrection),
+    /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Probably changes
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty),
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty),
+    /// [`filter_data::GyroScaleFactorUncertainty`](crate::filter_data::GyroScaleFactorUncertainty),
+    /// [`filter_data::AccelScaleFactorUncertainty`](crate::filter_data::AccelScaleFactorUncertainty),
+    /// [`filter_data::AntennaOffsetCorrectionUncertainty`](crate::filter_data::AntennaOffsetCorrectionUncertainty),
+    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty) and
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Copy, Eq, Hash)]
@@ -922,10 +974,15 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Probably
+    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::GnssPositionAidingStatus`](crate::filter_data::GnssPositionAidingStatus).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-45](crate::devices::GX4_45),
@@ -1000,36 +1057,35 @@ record! {
     pub struct ExternalGnssUpdate {
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
         /// Unit: week.
         pub week_number: u16,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
-        /// 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh.
         pub height: f64,
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned.
         pub velocity: types::Ned3f,
         /// Standard deviation of the position.
         ///
-        /// Elements: north, east, down. Unit: m. Frame: ned.
+        /// Elements: north, east, down. Unit: m. Frame: ned. Range: at least 0.
         pub position_uncertainty: types::Ned3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Range: at least 0.
         pub velocity_uncertainty: types::Ned3f,
     }
 }
@@ -1088,7 +1144,8 @@ record! {
     pub struct ExternalHeadingUpdate {
         /// Heading relative to the north that `type` names.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
@@ -1132,16 +1189,20 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`]. Changes
+    /// [`filter_data::HeadingUpdateState`](crate::filter_data::HeadingUpdateState). Probably
+    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Copy, Eq, Hash)]
@@ -1280,7 +1341,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Supported
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Probably
+    /// changes [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty),
+    /// [`filter_data::EcefPositionUncertainty`](crate::filter_data::EcefPositionUncertainty),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty),
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty) and
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
     /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -1353,9 +1419,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty),
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
+    /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -1427,7 +1496,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelBiasModelResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Probably changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
+    /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -1493,10 +1564,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`]. Probably
+    /// changes [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
@@ -1569,9 +1642,14 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Probably
+    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
+    /// Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
@@ -1660,7 +1738,7 @@ record! {
     pub struct ExternalHeadingUpdateWithTime {
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week, counted without rollover.
         ///
@@ -1668,7 +1746,8 @@ record! {
         pub week_number: u16,
         /// Heading relative to the north that `type` names.
         ///
-        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub heading: f32,
         /// Standard deviation; the device refuses a value out of bounds.
         ///
@@ -1717,10 +1796,16 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoAngularZuptResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CX5-15](crate::devices::CX5_15),
@@ -1795,19 +1880,30 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`TareOrientationResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// On the [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
-    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT) only. On the
-    /// [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate),
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector) and
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). On the [3DM-GX5-15](crate::devices::GX5_15):
+    /// [write](types::FunctionSelector::WRITE), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
@@ -1864,6 +1960,10 @@ record! {
     ///
     /// Tells the filter once that the device is at rest.
     ///
+    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
+    /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
@@ -1898,15 +1998,21 @@ record! {
     ///
     /// Tells the filter once that the device is not rotating.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
+    /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - At most 10 per second.
     ///
@@ -1939,7 +2045,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// Changes [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
+    /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
@@ -1955,18 +2063,17 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Required for
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Required for
-        /// [write](types::FunctionSelector::WRITE). Uncertain: The range, which no source states; 0
-        /// to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub longitude: Option<f64>,
-        /// Altitude.
+        /// Altitude of the reference position.
         ///
         /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
         /// counts from the ellipsoid or from sea level. The manual does not say; its glossary
@@ -2022,11 +2129,15 @@ record! {
     /// Moves what the automatic magnetometer calibration has found into the fixed calibration.
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
-    /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Known only from the MicroStrain MIP SDK.
+    /// [save](types::FunctionSelector::SAVE). Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagMatrix`](crate::filter_data::MagMatrix). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -2070,10 +2181,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
@@ -2141,6 +2255,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
@@ -2203,7 +2319,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// Probably changes [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
+    /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Supported
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
@@ -2263,7 +2381,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// Probably changes [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
+    /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
+    /// by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
@@ -2323,6 +2443,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`EnableMeasurementsResponse`].
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -2382,8 +2508,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Probably
+    /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
+    /// and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -2446,7 +2575,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticDeclinationSourceResponse`]. Supported by
+    /// [`MagneticDeclinationSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
@@ -2530,17 +2662,22 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Refused by [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2577,15 +2714,15 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: m/s^2. Optional.
+        /// Unit: m/s^2. Range: at least 0. Optional.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2647,8 +2784,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -2696,21 +2838,21 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+        /// command and gauss in the response.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2770,8 +2912,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -2804,13 +2951,13 @@ record! {
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 18 {
@@ -2866,6 +3013,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
@@ -2928,6 +3077,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PitchRollAidingResponse`].
+    /// Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
+    /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
@@ -2989,8 +3144,11 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`MagneticInclinationSourceResponse`]. Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK.
+    /// Answered by [`MagneticInclinationSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -3055,8 +3213,11 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticMagnitudeSourceResponse`]. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// [`MagneticMagnitudeSourceResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
@@ -3121,15 +3282,24 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationDcmResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// [`SensorToVehicleRotationDcmResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the matrix that
     ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
     ///   takes.
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    ///   filter.
     /// - The device refuses a matrix that is not orthonormal to within 0.001.
     /// - The device keeps a quaternion, so the elements read back may differ slightly from those
     ///   written.
@@ -3188,15 +3358,24 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`]. Not listed in any device profile. Known only
-    /// from the MicroStrain MIP SDK.
+    /// [`SensorToVehicleRotationQuaternionResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the quaternion that
     ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
     ///   takes.
-    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    ///   filter.
     /// - The device normalizes it, so the elements read back may differ slightly from those
     ///   written.
     ///
@@ -3254,7 +3433,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AidingMeasurementEnableResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [`AidingMeasurementEnableResponse`]. Changes
+    /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
+    /// Probably changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     /// Probably supported by [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
@@ -3333,8 +3514,13 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`].
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
-    /// Whether there are further values. The SDK has plain numbers and gives the values in remarks.
+    /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
+    /// values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -3407,10 +3593,17 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably
-    /// supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Probably changes [`filter_data::Status`](crate::filter_data::Status),
+    /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// [3DM-CX7-INS](crate::devices::CX7_INS) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -3535,7 +3728,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Probably changes filter_data (0x82). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
@@ -3604,7 +3798,19 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MultiAntennaOffsetResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection)
+    /// and [`filter_data::GnssDualAntennaStatus`](crate::filter_data::GnssDualAntennaStatus).
+    /// Flagged by
+    /// [`antenna_lever_arm_warning`](crate::filter_data::Cv7StatusFlags::antenna_lever_arm_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
@@ -3666,7 +3872,8 @@ record! {
     /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RelativePositionConfigResponse`]. Supported by
+    /// Answered by [`RelativePositionConfigResponse`]. Changes
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
@@ -3743,17 +3950,18 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`ReferencePointLeverArmResponse`]. Supported by
+    /// Answered by [`ReferencePointLeverArmResponse`]. Changes
+    /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
-    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
-    ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
-    ///   [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
-    ///   [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
-    ///   [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition), depending
-    ///   on the attitude and, for velocities, on the angular rate.
+    /// - The shift of positions depends on the attitude, that of velocities on the angular rate as
+    ///   well.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy)]
@@ -3826,7 +4034,7 @@ record! {
         pub source: u8,
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s. Uncertain: The unit; the SDK gives none.
+        /// Unit: s. Range: 0 to 604800. Uncertain: The unit; the SDK gives none.
         pub tow: f32,
         /// Speed, negative in reverse.
         ///
@@ -3834,7 +4042,7 @@ record! {
         pub speed: f32,
         /// Standard deviation of the speed.
         ///
-        /// Unit: m/s.
+        /// Unit: m/s. Range: at least 0.
         pub speed_uncertainty: f32,
     }
 }
@@ -3878,7 +4086,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`]. Probably
+    /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    /// [`filter_data::OdometerScaleFactorError`](crate::filter_data::OdometerScaleFactorError).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -3942,8 +4153,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`VerticalGyroConstraintControlResponse`]. Not listed in any device profile. Known only from
-    /// the MicroStrain MIP SDK.
+    /// [`VerticalGyroConstraintControlResponse`]. Probably changes
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It assumes that the linear acceleration is zero.
     ///
@@ -4000,7 +4214,12 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`WheeledVehicleConstraintControlResponse`]. Supported by
+    /// [`WheeledVehicleConstraintControlResponse`]. Probably changes
+    /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -4060,8 +4279,11 @@ record! {
     /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Changes
+    /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection).
+    /// Probably changes
+    /// [`filter_data::MultiAntennaOffsetCorrectionUncertainty`](crate::filter_data::MultiAntennaOffsetCorrectionUncertainty).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
@@ -4573,16 +4795,15 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90.
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
-        /// 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
         pub longitude: f64,
-        /// Altitude.
+        /// Altitude of the reference position.
         ///
         /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
         /// does not say; its glossary counts altitudes from sea level.
@@ -4854,15 +5075,15 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: m/s^2.
+        /// Unit: m/s^2. Range: at least 0.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4907,18 +5128,18 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; a manual of
+        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4956,11 +5177,13 @@ record! {
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// from the quantity.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Range: at least 0. Uncertain: The unit. The SDK gives m/s^2; rad is inferred
+        /// from the quantity.
         pub minimum_uncertainty: f32,
     }
 }

@@ -256,46 +256,54 @@ bitfield! {
         /// A matrix of the computation is singular. Bit 3.
         RUN_MATRIX_SINGULARITY: bool = 3,
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
-        /// A position covariance is above its normal limit. Bit 4.
+        /// A position covariance is above its normal limit. Bit 4. Concerns [`LlhPosition`] and
+        /// [`LlhPositionUncertainty`].
         RUN_POSITION_COVARIANCE_WARNING: bool = 4,
             run_position_covariance_warning, set_run_position_covariance_warning, with_run_position_covariance_warning;
-        /// A velocity covariance is above its normal limit. Bit 5.
+        /// A velocity covariance is above its normal limit. Bit 5. Concerns [`NedVelocity`] and
+        /// [`NedVelocityUncertainty`].
         RUN_VELOCITY_COVARIANCE_WARNING: bool = 5,
             run_velocity_covariance_warning, set_run_velocity_covariance_warning, with_run_velocity_covariance_warning;
-        /// An attitude covariance is above its normal limit. Bit 6.
+        /// An attitude covariance is above its normal limit. Bit 6. Concerns [`EulerAngles`] and
+        /// [`EulerAnglesUncertainty`].
         RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
-        /// The solution contains values that are not numbers. Bit 7.
+        /// The solution contains values that are not numbers. Bit 7. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
-        /// The estimated gyroscope bias is high. Bit 8.
+        /// The estimated gyroscope bias is high. Bit 8. Concerns [`GyroBias`].
         RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8,
             run_gyro_bias_est_high_warning, set_run_gyro_bias_est_high_warning, with_run_gyro_bias_est_high_warning;
-        /// The estimated accelerometer bias is high. Bit 9.
+        /// The estimated accelerometer bias is high. Bit 9. Concerns [`AccelBias`].
         RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9,
             run_accel_bias_est_high_warning, set_run_accel_bias_est_high_warning, with_run_accel_bias_est_high_warning;
-        /// The estimated gyroscope scale factor is high. Bit 10.
+        /// The estimated gyroscope scale factor is high. Bit 10. Concerns [`GyroScaleFactor`].
         RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10,
             run_gyro_scale_factor_est_high_warning, set_run_gyro_scale_factor_est_high_warning, with_run_gyro_scale_factor_est_high_warning;
-        /// The estimated accelerometer scale factor is high. Bit 11.
+        /// The estimated accelerometer scale factor is high. Bit 11. Concerns [`AccelScaleFactor`].
         RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11,
             run_accel_scale_factor_est_high_warning, set_run_accel_scale_factor_est_high_warning, with_run_accel_scale_factor_est_high_warning;
-        /// The estimated magnetometer bias is high. Bit 12.
+        /// The estimated magnetometer bias is high. Bit 12. Concerns [`MagBias`].
         RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
             run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
+        /// Concerns [`AntennaOffsetCorrection`] and
+        /// [`filter::AntennaOffset`](crate::filter::AntennaOffset).
         RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
             run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
-        /// The estimated hard-iron offset is high. Bit 14.
+        /// The estimated hard-iron offset is high. Bit 14. Concerns [`MagOffset`].
         RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
             run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
-        /// The estimated soft-iron correction is high. Bit 15.
+        /// The estimated soft-iron correction is high. Bit 15. Concerns [`MagMatrix`].
         RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15,
             run_mag_soft_iron_est_high_warning, set_run_mag_soft_iron_est_high_warning, with_run_mag_soft_iron_est_high_warning;
-        /// The attitude is not initialized. Bit 12. Overlaps other bits.
+        /// The attitude is not initialized. Bit 12. Overlaps other bits. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         INIT_NO_ATTITUDE: bool = 12,
             init_no_attitude, set_init_no_attitude, with_init_no_attitude;
-        /// Position and velocity are not initialized. Bit 13. Overlaps other bits.
+        /// Position and velocity are not initialized. Bit 13. Overlaps other bits. Concerns
+        /// [`LlhPosition`] and [`NedVelocity`].
         INIT_NO_POSITION_VELOCITY: bool = 13,
             init_no_position_velocity, set_init_no_position_velocity, with_init_no_position_velocity;
     }
@@ -325,35 +333,47 @@ bitfield! {
         /// How settled the estimates are. Bits 0 to 1. A value of [`FilterCondition`].
         FILTER_CONDITION: FilterCondition = 0..=1,
             filter_condition, set_filter_condition, with_filter_condition;
-        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2.
+        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         ROLL_PITCH_WARNING: bool = 2,
             roll_pitch_warning, set_roll_pitch_warning, with_roll_pitch_warning;
-        /// The heading is doubtful; check the heading source. Bit 3.
+        /// The heading is doubtful; check the heading source. Bit 3. Concerns
+        /// [`AttitudeQuaternion`], [`AttitudeDcm`] and [`EulerAngles`].
         HEADING_WARNING: bool = 3,
             heading_warning, set_heading_warning, with_heading_warning;
-        /// The position is doubtful; check the GNSS reception and antennas. Bit 4.
+        /// The position is doubtful; check the GNSS reception and antennas. Bit 4. Concerns
+        /// [`LlhPosition`], [`EcefPosition`] and [`NedRelativePosition`].
         POSITION_WARNING: bool = 4,
             position_warning, set_position_warning, with_position_warning;
-        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5.
+        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5. Concerns
+        /// [`NedVelocity`] and [`EcefVelocity`].
         VELOCITY_WARNING: bool = 5,
             velocity_warning, set_velocity_warning, with_velocity_warning;
-        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6.
+        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6. Concerns
+        /// [`AccelBias`], [`GyroBias`] and
+        /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias).
         IMU_BIAS_WARNING: bool = 6,
             imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
-        /// The GNSS clock is doubtful; navigation continues. Bit 7.
+        /// The GNSS clock is doubtful; navigation continues. Bit 7. Concerns [`Timestamp`] and
+        /// [`ClockCorrection`].
         GNSS_CLOCK_WARNING: bool = 7,
             gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
-        /// The antenna offsets are probably wrong. Bit 8.
+        /// The antenna offsets are probably wrong. Bit 8. Concerns [`MultiAntennaOffsetCorrection`]
+        /// and [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
         ANTENNA_LEVER_ARM_WARNING: bool = 8,
             antenna_lever_arm_warning, set_antenna_lever_arm_warning, with_antenna_lever_arm_warning;
-        /// The mounting transformation is probably wrong. Bit 9.
+        /// The mounting transformation is probably wrong. Bit 9. Concerns
+        /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler)
+        /// and
+        /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
         MOUNTING_TRANSFORM_WARNING: bool = 9,
             mounting_transform_warning, set_mounting_transform_warning, with_mounting_transform_warning;
         /// No pulse per second is detected, or the time of an external heading is too old. Bit 10.
+        /// Concerns [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl).
         TIME_SYNC_WARNING: bool = 10,
             time_sync_warning, set_time_sync_warning, with_time_sync_warning;
         /// Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to
-        /// 15.
+        /// 15. Concerns [`filter::Reset`](crate::filter::Reset).
         SOLUTION_ERROR: u8 = 12..=15,
             solution_error, set_solution_error, with_solution_error;
     }
@@ -364,8 +384,20 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// Also called `position_llh`. Changed by
+    /// [`filter::SensorToVehicleOffset`](crate::filter::SensorToVehicleOffset) and
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise),
+    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
+    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
+    /// of [`Gx5StatusFlags`] and [`position_warning`](Cv7StatusFlags::position_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
@@ -377,22 +409,21 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
     pub struct LlhPosition {
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The range, which no source
-        /// states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub ellipsoid_height: f64,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -407,8 +438,23 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
+    /// Also called `velocity_ned`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by
+    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_position_velocity`](Gx5StatusFlags::init_no_position_velocity)
+    /// of [`Gx5StatusFlags`] and [`velocity_warning`](Cv7StatusFlags::velocity_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GV7-INS](crate::devices::GV7_INS),
@@ -422,17 +468,20 @@ record! {
     pub struct NedVelocity {
         /// Velocity north.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Velocity east.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Velocity down.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. At rest and level: 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -447,7 +496,37 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
+    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
+    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -470,10 +549,10 @@ record! {
     pub struct AttitudeQuaternion {
         /// Quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -488,7 +567,37 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of [`Gx5StatusFlags`],
+    /// [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of [`Cv7StatusFlags`] and
+    /// [`heading_warning`](Cv7StatusFlags::heading_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -511,10 +620,11 @@ record! {
     pub struct AttitudeDcm {
         /// Rotation matrix in row-major order.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. Valid if
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
+        /// level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub dcm: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -529,10 +639,43 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SetInitialAttitude`](crate::filter::SetInitialAttitude),
+    /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading),
+    /// [`filter::SetInitialAttitudeFromImu`](crate::filter::SetInitialAttitudeFromImu),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`filter::HeadingSource`](crate::filter::HeadingSource),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt),
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement),
+    /// [`filter::PitchRollAiding`](crate::filter::PitchRollAiding),
+    /// [`filter::MagneticInclinationSource`](crate::filter::MagneticInclinationSource),
+    /// [`filter::MagneticMagnitudeSource`](crate::filter::MagneticMagnitudeSource),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::VerticalGyroConstraintControl`](crate::filter::VerticalGyroConstraintControl) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by
+    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
+    /// [`Gx5StatusFlags`], [`init_no_attitude`](Gx5StatusFlags::init_no_attitude) of
+    /// [`Gx5StatusFlags`], [`roll_pitch_warning`](Cv7StatusFlags::roll_pitch_warning) of
+    /// [`Cv7StatusFlags`] and [`heading_warning`](Cv7StatusFlags::heading_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
@@ -543,7 +686,8 @@ record! {
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: The ranges of the angles. Uncertain:
+    /// which no source states.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -551,19 +695,23 @@ record! {
     /// Angles (0x82, 0x05).
     #[derive(Copy, Default)]
     pub struct EulerAngles {
-        /// Roll.
+        /// Rotation about the x axis of the vehicle.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+        /// level: 0. Positive: right side down. Valid if [`valid_flags.valid`](ValidFlags::valid)
+        /// is set.
         pub roll: f32,
-        /// Pitch.
+        /// Rotation about the y axis.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+        /// level: 0. Positive: nose up. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pitch: f32,
-        /// Yaw.
+        /// Rotation about the z axis: the heading.
         ///
-        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -578,29 +726,38 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
+    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Flagged by
+    /// [`run_gyro_bias_est_high_warning`](Gx5StatusFlags::run_gyro_bias_est_high_warning) of
+    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
     pub struct GyroBias {
-        /// Bias.
+        /// Bias that the filter subtracts.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -615,8 +772,13 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
+    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Flagged by
+    /// [`run_accel_bias_est_high_warning`](Gx5StatusFlags::run_accel_bias_est_high_warning) of
+    /// [`Gx5StatusFlags`] and [`imu_bias_warning`](Cv7StatusFlags::imu_bias_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX4-25](crate::devices::GX4_25).
@@ -624,12 +786,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
     pub struct AccelBias {
-        /// Bias.
+        /// Bias that the filter subtracts.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -644,8 +806,12 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `position_llh_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::PressureAltitudeNoise`](crate::filter::PressureAltitudeNoise) and
+    /// [`filter::AltitudeAiding`](crate::filter::AltitudeAiding). Flagged by
+    /// [`run_position_covariance_warning`](Gx5StatusFlags::run_position_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -657,17 +823,20 @@ record! {
     pub struct LlhPositionUncertainty {
         /// Standard deviation north.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Standard deviation east.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Standard deviation down.
         ///
-        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -682,8 +851,12 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `velocity_ned_uncertainty`. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `velocity_ned_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Flagged by
+    /// [`run_velocity_covariance_warning`](Gx5StatusFlags::run_velocity_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -695,17 +868,20 @@ record! {
     pub struct NedVelocityUncertainty {
         /// Standard deviation north.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub north: f32,
         /// Standard deviation east.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub east: f32,
         /// Standard deviation down.
         ///
-        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub down: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -720,7 +896,16 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagNoise`](crate::filter::MagNoise),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
+    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Flagged by
+    /// [`run_attitude_covariance_warning`](Gx5StatusFlags::run_attitude_covariance_warning) of
+    /// [`Gx5StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15). Probably
     /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -744,17 +929,17 @@ record! {
     pub struct EulerAnglesUncertainty {
         /// Standard deviation of roll.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub roll: f32,
         /// Standard deviation of pitch.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pitch: f32,
         /// Standard deviation of yaw.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub yaw: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -769,20 +954,24 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
+    /// [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GyroBiasModel`](crate::filter::GyroBiasModel),
+    /// [`filter::AutoAngularZupt`](crate::filter::AutoAngularZupt) and
+    /// [`filter::CommandedAngularZupt`](crate::filter::CommandedAngularZupt). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -790,10 +979,10 @@ record! {
     pub struct GyroBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -808,7 +997,10 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl),
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise) and
+    /// [`filter::AccelBiasModel`](crate::filter::AccelBiasModel). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-INS](crate::devices::GV7_INS) and
@@ -819,10 +1011,10 @@ record! {
     pub struct AccelBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -835,8 +1027,17 @@ field! {
 record! {
     /// Linear acceleration (0x82,0x0D).
     ///
-    /// Compensated acceleration minus the estimated gravity.
+    /// Rate of change of the velocity, with the effect of gravity removed.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
@@ -855,12 +1056,12 @@ record! {
     /// (0x82, 0x0D).
     #[derive(Copy, Default)]
     pub struct LinearAccel {
-        /// Linear acceleration.
+        /// Zero while the velocity is constant.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid
+        /// if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -875,6 +1076,15 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
@@ -895,10 +1105,11 @@ record! {
     pub struct CompAngularRate {
         /// Angular rate.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gyro: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -913,8 +1124,10 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// Also called `wgs84_gravity_mag`. Changed by
+    /// [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
@@ -929,9 +1142,10 @@ record! {
     pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
-        /// Unit: m/s^2. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub gravity_magnitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -946,7 +1160,9 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by [`filter::Run`](crate::filter::Run). Probably changed by
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -1144,7 +1360,9 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Flagged by
+    /// [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -1165,13 +1383,14 @@ record! {
     pub struct Timestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub tow: f64,
         /// GPS week, counted from 1980.
         ///
         /// Unit: week. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub week_number: u16,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1186,20 +1405,27 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
-    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Probably changed by [`filter::GyroNoise`](crate::filter::GyroNoise),
+    /// [`filter::GravityNoise`](crate::filter::GravityNoise),
+    /// [`filter::EnableMeasurements`](crate::filter::EnableMeasurements),
+    /// [`filter::MagNoise`](crate::filter::MagNoise),
+    /// [`filter::AccelMagnitudeErrorAdaptiveMeasurement`](crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagMagnitudeErrorAdaptiveMeasurement`](crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
+    /// [`filter::MagDipAngleErrorAdaptiveMeasurement`](crate::filter::MagDipAngleErrorAdaptiveMeasurement)
+    /// and [`filter::PitchRollAiding`](crate::filter::PitchRollAiding). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -1207,9 +1433,10 @@ record! {
     pub struct QuaternionAttitudeUncertainty {
         /// Standard deviation per element.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: w, x, y, z. Unit: 1. Range: at least 0. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub q: types::Quatf,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1224,6 +1451,14 @@ record! {
     ///
     /// Estimated gravity.
     ///
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
@@ -1242,12 +1477,13 @@ record! {
     /// (0x82, 0x13).
     #[derive(Copy, Default)]
     pub struct GravityVector {
-        /// Gravity.
+        /// Gravity, which points down.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
+        /// source states.
         pub gravity: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1262,13 +1498,14 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-25](crate::devices::GX4_25),
-    /// [3DM-GX4-45](crate::devices::GX4_45) and [3DM-GX5-25](crate::devices::GX5_25).
+    /// Changed by [`filter::HeadingSource`](crate::filter::HeadingSource). Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -1277,18 +1514,19 @@ record! {
     pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading: f32,
         /// Standard deviation of the heading.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
         /// On the [3DM-GX5-15](crate::devices::GX5_15): only
         /// [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1303,7 +1541,8 @@ record! {
     ///
     /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Changed by [`filter::ReferencePosition`](crate::filter::ReferencePosition). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
@@ -1317,27 +1556,27 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
     #[derive(Copy, Default)]
     pub struct MagneticModel {
-        /// Intensity north.
+        /// Northward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_north: f32,
-        /// Intensity east.
+        /// Eastward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_east: f32,
-        /// Intensity down.
+        /// Downward part of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub intensity_down: f32,
-        /// Inclination.
+        /// Angle of the field below the horizontal plane.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub inclination: f32,
-        /// Declination.
+        /// Angle from true north to magnetic north.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub declination: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1352,7 +1591,10 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
+    /// [`run_gyro_scale_factor_est_high_warning`](Gx5StatusFlags::run_gyro_scale_factor_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Copy, Default)]
@@ -1362,7 +1604,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1377,7 +1619,10 @@ record! {
     ///
     /// Estimated scale factor of the accelerometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Flagged by
+    /// [`run_accel_scale_factor_est_high_warning`](Gx5StatusFlags::run_accel_scale_factor_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Copy, Default)]
@@ -1387,7 +1632,7 @@ record! {
         /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1402,17 +1647,18 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Copy, Default)]
     pub struct GyroScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1427,17 +1673,18 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Copy, Default)]
     pub struct AccelScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1452,7 +1699,9 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Flagged by [`run_mag_bias_est_high_warning`](Gx5StatusFlags::run_mag_bias_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -1462,7 +1711,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1484,10 +1733,10 @@ record! {
     pub struct MagBiasUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1502,6 +1751,14 @@ record! {
     ///
     /// Acceleration without the estimated bias; it includes gravity.
     ///
+    /// Changed by [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) and
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation). Probably changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
@@ -1521,10 +1778,10 @@ record! {
     pub struct CompAccel {
         /// Acceleration.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
+        /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub accel: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1552,7 +1809,7 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geometric_altitude: f32,
-        /// Geopotential altitude.
+        /// Geometric altitude corrected for the decrease of gravity with height.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geopotential_altitude: f32,
@@ -1568,7 +1825,7 @@ record! {
         ///
         /// Unit: kg/m^3. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub standard_density: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1607,7 +1864,7 @@ record! {
         ///
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pressure_altitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1633,7 +1890,7 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub density_altitude: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1648,11 +1905,16 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_offset`. Changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
+    /// changed by [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Flagged by
+    /// [`run_mag_hard_iron_est_high_warning`](Gx5StatusFlags::run_mag_hard_iron_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -1665,7 +1927,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1680,11 +1942,16 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Also called `magnetometer_matrix`. Changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration). Probably
+    /// changed by [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Flagged by
+    /// [`run_mag_soft_iron_est_high_warning`](Gx5StatusFlags::run_mag_soft_iron_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Probably supported by [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -1697,7 +1964,7 @@ record! {
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1712,7 +1979,9 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. Probably supported by
+    /// Also called `magnetometer_offset_uncertainty`. Probably changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::HardIronOffsetNoise`](crate::filter::HardIronOffsetNoise). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
@@ -1723,10 +1992,10 @@ record! {
     pub struct MagOffsetUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub hard_iron_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1741,7 +2010,9 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. Probably supported by
+    /// Also called `magnetometer_matrix_uncertainty`. Probably changed by
+    /// [`filter::EstimationControl`](crate::filter::EstimationControl) and
+    /// [`filter::SoftIronMatrixNoise`](crate::filter::SoftIronMatrixNoise). Probably supported by
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-25](crate::devices::CX5_25),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
@@ -1752,10 +2023,10 @@ record! {
     pub struct MagMatrixUncertainty {
         /// Standard deviation per element.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
-        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Range: at
+        /// least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub soft_iron_uncertainty: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1782,7 +2053,7 @@ record! {
         /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The unit, which is likely
         /// gauss^2, and the frame.
         pub covariance: types::Matrix3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1808,7 +2079,7 @@ record! {
         /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub residual: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1823,7 +2094,11 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset). Flagged by
+    /// [`run_antenna_offset_correction_est_high_warning`](Gx5StatusFlags::run_antenna_offset_correction_est_high_warning)
+    /// of [`Gx5StatusFlags`]. Not listed in any device profile. Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
@@ -1836,7 +2111,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1851,17 +2126,18 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrectionUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1876,6 +2152,7 @@ record! {
     ///
     /// Estimated clock error of one GNSS receiver.
     ///
+    /// Flagged by [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`].
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
@@ -1893,7 +2170,7 @@ record! {
         ///
         /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_drift: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1919,13 +2196,13 @@ record! {
         pub receiver_id: u8,
         /// Standard deviation of the bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_uncertainty: f32,
         /// Standard deviation of the drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s/s. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub bias_drift_uncertainty: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1940,7 +2217,11 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Changed by
+    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
+    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
+    /// Flagged by [`antenna_lever_arm_warning`](Cv7StatusFlags::antenna_lever_arm_warning) of
+    /// [`Cv7StatusFlags`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS).
     ///
@@ -1956,7 +2237,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1971,6 +2252,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
+    /// Probably changed by
+    /// [`filter::GnssAntennaCalibrationControl`](crate::filter::GnssAntennaCalibrationControl).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -1981,10 +2264,10 @@ record! {
         pub receiver_id: u8,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub offset_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -1999,7 +2282,8 @@ record! {
     ///
     /// Standard deviation of the estimated position.
     ///
-    /// Also called `ecef_pos_uncertainty`. Supported by
+    /// Also called `ecef_pos_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
@@ -2010,10 +2294,10 @@ record! {
     pub struct EcefPositionUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2028,7 +2312,10 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `ecef_vel_uncertainty`. Supported by
+    /// Also called `ecef_vel_uncertainty`. Probably changed by
+    /// [`filter::AccelNoise`](crate::filter::AccelNoise),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt) and
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
@@ -2039,10 +2326,10 @@ record! {
     pub struct EcefVelocityUncertainty {
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity_uncertainty: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2057,7 +2344,14 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `ecef_pos`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig) and
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset). Flagged by
+    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
@@ -2065,12 +2359,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
     pub struct EcefPosition {
-        /// Position.
+        /// Position of the reference point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub position: types::Vector3d,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2085,7 +2379,19 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `ecef_vel`. Changed by
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Probably changed
+    /// by [`filter::AntennaOffset`](crate::filter::AntennaOffset),
+    /// [`filter::GnssSource`](crate::filter::GnssSource),
+    /// [`filter::AutoZupt`](crate::filter::AutoZupt),
+    /// [`filter::CommandedZupt`](crate::filter::CommandedZupt),
+    /// [`filter::KinematicConstraint`](crate::filter::KinematicConstraint),
+    /// [`filter::InitializationConfig`](crate::filter::InitializationConfig),
+    /// [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset),
+    /// [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm) and
+    /// [`filter::WheeledVehicleConstraintControl`](crate::filter::WheeledVehicleConstraintControl).
+    /// Flagged by [`velocity_warning`](Cv7StatusFlags::velocity_warning) of [`Cv7StatusFlags`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS). Refused by [3DM-GX3-25](crate::devices::GX3_25).
@@ -2093,12 +2399,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
-        /// Velocity.
+        /// Velocity of the reference point.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub velocity: types::Vector3f,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2114,7 +2420,11 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `rel_pos_ned`. Changed by
+    /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) and
+    /// [`filter::ReferencePointLeverArm`](crate::filter::ReferencePointLeverArm). Flagged by
+    /// [`position_warning`](Cv7StatusFlags::position_warning) of [`Cv7StatusFlags`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS).
@@ -2122,12 +2432,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
     pub struct NedRelativePosition {
-        /// Relative position.
+        /// From the reference point to the device.
         ///
         /// Elements: north, east, down. Unit: m. Frame: ned. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub relative_position: types::Ned3d,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2142,7 +2452,8 @@ record! {
     ///
     /// How the filter uses the position measurements of one GNSS receiver.
     ///
-    /// Also called `gnss_pos_aid_status`. Supported by
+    /// Also called `gnss_pos_aid_status`. Probably changed by
+    /// [`filter::GnssSource`](crate::filter::GnssSource). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
@@ -2158,7 +2469,7 @@ record! {
         pub receiver_id: u8,
         /// GPS time of week of the last measurement.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: 0 to 604800.
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -2187,7 +2498,8 @@ record! {
     pub struct GnssAttitudeAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
+        /// that of its processing.
         pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
@@ -2218,7 +2530,8 @@ record! {
     pub struct HeadingAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
-        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        /// Unit: s. Range: 0 to 604800. Uncertain: Whether it is the time of the measurement or
+        /// that of its processing.
         pub tow: f32,
         /// Source of the heading.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -2245,6 +2558,7 @@ record! {
     ///
     /// What the filter did with one kind of aiding measurement in the last measurement interval.
     ///
+    /// Changed by [`filter::AidingMeasurementEnable`](crate::filter::AidingMeasurementEnable).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
@@ -2257,7 +2571,7 @@ record! {
     pub struct AidingMeasurementSummary {
         /// GPS time of week at the end of the interval.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: 0 to 604800.
         pub tow: f32,
         /// Number of the source of the measurement.
         pub source: u8,
@@ -2285,7 +2599,8 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Probably changed by [`filter::SpeedLeverArm`](crate::filter::SpeedLeverArm). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
@@ -2297,7 +2612,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_error: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2320,9 +2635,9 @@ record! {
     pub struct OdometerScaleFactorErrorUncertainty {
         /// Uncertainty of the relative error.
         ///
-        /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub scale_factor_error_uncertainty: f32,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2337,6 +2652,7 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
+    /// Probably changed by [`filter::MultiAntennaOffset`](crate::filter::MultiAntennaOffset).
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
     /// and [3DM-GX5-25](crate::devices::GX5_25).
@@ -2348,21 +2664,22 @@ record! {
     pub struct GnssDualAntennaStatus {
         /// GPS time of week of the last measurement.
         ///
-        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: s. Range: 0 to 604800. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub tow: f32,
-        /// Heading.
+        /// Heading that follows from the baseline of the antennas.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
         /// Kind of solution.
         pub fix_type: DualAntennaFixType,
         /// Inputs available to the solution.
         pub status_flags: DualAntennaStatusFlags,
-        /// Validity of the values.
+        /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
     }
 }
@@ -2378,7 +2695,8 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
     /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS).
@@ -2410,7 +2728,8 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Probably changed by [`aiding::FrameConfig`](crate::aiding::FrameConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
     /// [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
@@ -2421,11 +2740,11 @@ record! {
         pub frame_id: u8,
         /// Uncertainty of the translation.
         ///
-        /// Elements: x, y, z. Unit: m.
+        /// Elements: x, y, z. Unit: m. Range: at least 0.
         pub translation_uncertainty: types::Vector3f,
         /// Uncertainty of the rotation about each axis.
         ///
-        /// Elements: x, y, z. Unit: rad.
+        /// Elements: x, y, z. Unit: rad. Range: at least 0.
         pub attitude_uncertainty: types::Vector3f,
     }
 }

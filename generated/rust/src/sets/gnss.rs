@@ -119,7 +119,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
     ReceiverResetType: u8 {
-        /// Resets the receiver by its reset line.
+        /// Resets the hardware of the receiver.
         HARDWARE = 1, "hardware";
         /// Restarts all software of the receiver.
         COLD = 2, "cold";
@@ -202,7 +202,10 @@ record! {
     /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SignalConfigResponse`]. Supported by
+    /// Answered by [`SignalConfigResponse`]. Probably changes
+    /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
+    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
+    /// [`gnss_data::Raw`](crate::gnss_data::Raw). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25). On
     /// the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
@@ -325,9 +328,12 @@ record! {
     /// Also called `rtk_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkConfigResponse`]. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver
-    /// report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+    /// Answered by [`RtkConfigResponse`]. Probably changes
+    /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo) and
+    /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the
+    /// vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative`
+    /// only.
     ///
     /// - The available modes differ by device.
     ///
@@ -387,9 +393,10 @@ record! {
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. Probably supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
-    /// Known only from the MicroStrain MIP SDK.
+    /// Answered by [`RtkDongleConfigResponse`]. Probably changes
+    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Probably
+    /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
+    /// [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -448,7 +455,8 @@ record! {
     /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SpartnConfigResponse`]. Supported by
+    /// Answered by [`SpartnConfigResponse`]. Probably changes
+    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device accepts
     /// upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the
     /// command has "bc" for 0xBC.

@@ -55,10 +55,10 @@ bitfield! {
         /// Height above mean sea level. Bit 2.
         MSL_HEIGHT: bool = 2,
             msl_height, set_msl_height, with_msl_height;
-        /// Horizontal accuracy. Bit 3.
+        /// `horizontal_accuracy` is valid. Bit 3.
         HORIZONTAL_ACCURACY: bool = 3,
             horizontal_accuracy, set_horizontal_accuracy, with_horizontal_accuracy;
-        /// Vertical accuracy. Bit 4.
+        /// `vertical_accuracy` is valid. Bit 4.
         VERTICAL_ACCURACY: bool = 4,
             vertical_accuracy, set_vertical_accuracy, with_vertical_accuracy;
         /// All of them. Bits 0 to 4. Overlaps other bits.
@@ -70,7 +70,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the position are valid.
     EcefPositionFlags: u16 {
-        /// Position. Bit 0.
+        /// `position` is valid. Bit 0.
         POSITION: bool = 0,
             position, set_position, with_position;
         /// Accuracy of the position. Bit 1.
@@ -94,7 +94,7 @@ bitfield! {
         /// Speed over ground. Bit 2.
         GROUND_SPEED: bool = 2,
             ground_speed, set_ground_speed, with_ground_speed;
-        /// Heading. Bit 3.
+        /// `heading` is valid. Bit 3.
         HEADING: bool = 3,
             heading, set_heading, with_heading;
         /// Accuracy of the speed. Bit 4.
@@ -112,7 +112,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the velocity are valid.
     EcefVelocityFlags: u16 {
-        /// Velocity. Bit 0.
+        /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
             velocity, set_velocity, with_velocity;
         /// Accuracy of the velocity. Bit 1.
@@ -175,7 +175,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// All of them. Bits 0 to 1. Overlaps other bits.
@@ -187,10 +187,10 @@ bitfield! {
 bitfield! {
     /// Which clock parameters are valid.
     ClockInfoFlags: u16 {
-        /// Bias. Bit 0.
+        /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
             bias, set_bias, with_bias;
-        /// Drift. Bit 1.
+        /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
         /// Accuracy. Bit 2.
@@ -223,7 +223,7 @@ bitfield! {
         /// Number of satellites. Bit 1.
         NUM_SV: bool = 1,
             num_sv, set_num_sv, with_num_sv;
-        /// Fix flags. Bit 2.
+        /// `fix_flags` is valid. Bit 2.
         FIX_FLAGS: bool = 2,
             fix_flags, set_fix_flags, with_fix_flags;
         /// All of them. Bits 0 to 2. Overlaps other bits.
@@ -247,7 +247,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the satellite info are valid.
     SvInfoFlags: u16 {
-        /// Channel. Bit 0.
+        /// `channel` is valid. Bit 0.
         CHANNEL: bool = 0,
             channel, set_channel, with_channel;
         /// Satellite. Bit 1.
@@ -256,10 +256,10 @@ bitfield! {
         /// Carrier to noise density ratio. Bit 2.
         CARRIER_NOISE_RATIO: bool = 2,
             carrier_noise_ratio, set_carrier_noise_ratio, with_carrier_noise_ratio;
-        /// Azimuth. Bit 3.
+        /// `azimuth` is valid. Bit 3.
         AZIMUTH: bool = 3,
             azimuth, set_azimuth, with_azimuth;
-        /// Elevation. Bit 4.
+        /// `elevation` is valid. Bit 4.
         ELEVATION: bool = 4,
             elevation, set_elevation, with_elevation;
         /// State of the satellite. Bit 5.
@@ -332,7 +332,7 @@ bitfield! {
 bitfield! {
     /// Which parts of the state of the corrections are valid.
     DgpsInfoFlags: u16 {
-        /// Age. Bit 0.
+        /// `age` is valid. Bit 0.
         AGE: bool = 0,
             age, set_age, with_age;
         /// Number of the base station. Bit 1.
@@ -356,7 +356,7 @@ bitfield! {
         /// Satellite. Bit 0.
         SATELLITE_ID: bool = 0,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Age. Bit 1.
+        /// `age` is valid. Bit 1.
         AGE: bool = 1,
             age, set_age, with_age;
         /// Correction of the range. Bit 2.
@@ -374,10 +374,10 @@ bitfield! {
 bitfield! {
     /// Which clock parameters are valid.
     ClockInfo2Flags: u16 {
-        /// Bias. Bit 0.
+        /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
             bias, set_bias, with_bias;
-        /// Drift. Bit 1.
+        /// `drift` is valid. Bit 1.
         DRIFT: bool = 1,
             drift, set_drift, with_drift;
         /// Accuracy of the bias. Bit 2.
@@ -395,7 +395,7 @@ bitfield! {
 bitfield! {
     /// Whether the leap seconds are valid. Bit 0 is not used.
     GpsLeapSecondsFlags: u16 {
-        /// Leap seconds. Bit 1.
+        /// `leap_seconds` is valid. Bit 1.
         LEAP_SECONDS: bool = 1,
             leap_seconds, set_leap_seconds, with_leap_seconds;
     }
@@ -441,7 +441,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// System. Bit 2.
@@ -558,7 +558,7 @@ open_enum! {
 bitfield! {
     /// Which parts of the heading are valid.
     HeadingFlags: u16 {
-        /// Heading. Bit 0.
+        /// `heading` is valid. Bit 0.
         HEADING: bool = 0,
             heading, set_heading, with_heading;
         /// Uncertainty of the heading. Bit 1.
@@ -579,7 +579,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Constellation. Bit 2.
@@ -588,13 +588,13 @@ bitfield! {
         /// Satellite. Bit 3.
         SATELLITE_ID: bool = 3,
             satellite_id, set_satellite_id, with_satellite_id;
-        /// Elevation. Bit 4.
+        /// `elevation` is valid. Bit 4.
         ELEVATION: bool = 4,
             elevation, set_elevation, with_elevation;
-        /// Azimuth. Bit 5.
+        /// `azimuth` is valid. Bit 5.
         AZIMUTH: bool = 5,
             azimuth, set_azimuth, with_azimuth;
-        /// Health. Bit 6.
+        /// `health` is valid. Bit 6.
         HEALTH: bool = 6,
             health, set_health, with_health;
         /// All of them. Bits 0 to 6. Overlaps other bits.
@@ -627,13 +627,13 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Receiver or reference station. Bit 2.
         RECEIVER_ID: bool = 2,
             receiver_id, set_receiver_id, with_receiver_id;
-        /// Tracking channel. Bit 3.
+        /// `tracking_channel` is valid. Bit 3.
         TRACKING_CHANNEL: bool = 3,
             tracking_channel, set_tracking_channel, with_tracking_channel;
         /// Constellation. Bit 4.
@@ -645,16 +645,16 @@ bitfield! {
         /// Signal. Bit 6.
         SIGNAL_ID: bool = 6,
             signal_id, set_signal_id, with_signal_id;
-        /// Signal strength. Bit 7.
+        /// `signal_strength` is valid. Bit 7.
         SIGNAL_STRENGTH: bool = 7,
             signal_strength, set_signal_strength, with_signal_strength;
         /// Signal quality. Bit 8.
         QUALITY: bool = 8,
             quality, set_quality, with_quality;
-        /// Pseudorange. Bit 9.
+        /// `pseudorange` is valid. Bit 9.
         PSEUDORANGE: bool = 9,
             pseudorange, set_pseudorange, with_pseudorange;
-        /// Carrier phase. Bit 10.
+        /// `carrier_phase` is valid. Bit 10.
         CARRIER_PHASE: bool = 10,
             carrier_phase, set_carrier_phase, with_carrier_phase;
         /// Doppler shift. Bit 11.
@@ -669,7 +669,7 @@ bitfield! {
         /// Uncertainty of the Doppler shift. Bit 14.
         DOPPLER_UNCERTAINTY: bool = 14,
             doppler_uncertainty, set_doppler_uncertainty, with_doppler_uncertainty;
-        /// Lock time. Bit 15.
+        /// `lock_time` is valid. Bit 15.
         LOCK_TIME: bool = 15,
             lock_time, set_lock_time, with_lock_time;
         /// All of them. Bits 0 to 15. Overlaps other bits.
@@ -717,7 +717,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Position. Bit 2.
@@ -729,7 +729,7 @@ bitfield! {
         /// Station. Bit 4.
         STATION_ID: bool = 4,
             station_id, set_station_id, with_station_id;
-        /// Indicators. Bit 5.
+        /// `indicators` is valid. Bit 5.
         INDICATORS: bool = 5,
             indicators, set_indicators, with_indicators;
         /// All of them. Bits 0 to 5. Overlaps other bits.
@@ -778,10 +778,10 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Epoch status. Bit 2.
+        /// `epoch_status` is valid. Bit 2.
         EPOCH_STATUS: bool = 2,
             epoch_status, set_epoch_status, with_epoch_status;
         /// Status of the dongle. Bit 3.
@@ -851,7 +851,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients alpha. Bit 2.
@@ -872,7 +872,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients. Bit 2.
@@ -893,7 +893,7 @@ bitfield! {
         /// Time of week. Bit 0.
         TOW: bool = 0,
             tow, set_tow, with_tow;
-        /// Week number. Bit 1.
+        /// `week_number` is valid. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
         /// Coefficients alpha. Bit 2.
@@ -917,7 +917,9 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Probably changed by
+    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode) and
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -934,16 +936,15 @@ record! {
     /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
     #[derive(Copy, Default)]
     pub struct LlhPosition {
-        /// Latitude.
+        /// Geodetic latitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
         /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub latitude: f64,
-        /// Longitude.
+        /// Geodetic longitude.
         ///
-        /// Unit: deg. Frame: llh. Range: -180 to 180. Valid if
-        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set. Uncertain: The range, which
-        /// no source states; 0 to 360 is the other usual one.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if
+        /// [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -954,17 +955,17 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.msl_height`](LlhPositionFlags::msl_height) is set.
         pub msl_height: f64,
-        /// Horizontal accuracy.
+        /// Estimated error of latitude and longitude.
         ///
-        /// Unit: m. Valid if
+        /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
         pub horizontal_accuracy: f32,
-        /// Vertical accuracy.
+        /// Estimated error of the heights.
         ///
-        /// Unit: m. Valid if [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy)
-        /// is set.
+        /// Unit: m. Range: at least 0. Valid if
+        /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
         pub vertical_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the position are valid.
         pub valid_flags: LlhPositionFlags,
     }
 }
@@ -991,17 +992,17 @@ record! {
     /// Position (0x92,0x04).
     #[derive(Copy, Default)]
     pub struct EcefPosition {
-        /// Position.
+        /// Position of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.position`](EcefPositionFlags::position) is set.
         pub position: types::Vector3d,
         /// Accuracy of the position.
         ///
-        /// Unit: m. Valid if
+        /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         pub position_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the position are valid.
         pub valid_flags: EcefPositionFlags,
     }
 }
@@ -1017,7 +1018,8 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Probably changed by
+    /// [`mip_3dm::GpsDynamicsMode`](crate::mip_3dm::GpsDynamicsMode). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -1032,10 +1034,10 @@ record! {
     /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
     #[derive(Copy, Default)]
     pub struct NedVelocity {
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
-        /// Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-        /// [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. At rest and level: north 0, east 0,
+        /// down 0. Valid if [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
         pub velocity: types::Ned3f,
         /// Speed in space.
         ///
@@ -1043,24 +1045,25 @@ record! {
         pub speed: f32,
         /// Speed over ground.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
+        /// Unit: m/s. Range: at least 0. Valid if
+        /// [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
         pub ground_speed: f32,
         /// Direction of the motion over ground.
         ///
-        /// Unit: deg. Frame: ned. Valid if [`valid_flags.heading`](NedVelocityFlags::heading) is
-        /// set.
+        /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
+        /// [`valid_flags.heading`](NedVelocityFlags::heading) is set.
         pub heading: f32,
         /// Accuracy of the speed.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is
-        /// set.
+        /// Unit: m/s. Range: at least 0. Valid if
+        /// [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is set.
         pub speed_accuracy: f32,
         /// Accuracy of the heading.
         ///
-        /// Unit: deg. Valid if [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy)
-        /// is set.
+        /// Unit: deg. Range: at least 0. Valid if
+        /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
         pub heading_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the velocity are valid.
         pub valid_flags: NedVelocityFlags,
     }
 }
@@ -1086,17 +1089,17 @@ record! {
     /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
-        /// Velocity.
+        /// Velocity of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
         pub velocity: types::Vector3f,
         /// Accuracy of the velocity.
         ///
-        /// Unit: m/s. Valid if
+        /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         pub velocity_accuracy: f32,
-        /// Which values are valid.
+        /// Which parts of the velocity are valid.
         pub valid_flags: EcefVelocityFlags,
     }
 }
@@ -1124,33 +1127,33 @@ record! {
     pub struct Dop {
         /// Geometric dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
         pub gdop: f32,
         /// Position dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
         pub pdop: f32,
         /// Horizontal dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
         pub hdop: f32,
         /// Vertical dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
         pub vdop: f32,
         /// Time dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
         pub tdop: f32,
         /// Northing dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
         pub ndop: f32,
         /// Easting dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
+        /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         pub edop: f32,
-        /// Which values are valid.
+        /// Which dilutions of precision are valid.
         pub valid_flags: DopFlags,
     }
 }
@@ -1242,13 +1245,14 @@ record! {
     pub struct GpsTime {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimeFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsTimeFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimeFlags::week_number) is set.
         pub week_number: u16,
-        /// Which values are valid.
+        /// Which parts of the time are valid.
         pub valid_flags: GpsTimeFlags,
     }
 }
@@ -1284,10 +1288,10 @@ record! {
         pub drift: f64,
         /// Estimated accuracy.
         ///
-        /// Unit: s. Valid if [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate)
-        /// is set.
+        /// Unit: s. Range: at least 0. Valid if
+        /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
         pub accuracy_estimate: f64,
-        /// Which values are valid.
+        /// Which clock parameters are valid.
         pub valid_flags: ClockInfoFlags,
     }
 }
@@ -1303,7 +1307,10 @@ record! {
     /// Type of the position fix and what it is based on.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings),
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig) and
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -1328,7 +1335,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
         pub fix_flags: FixFlags,
-        /// Which values are valid.
+        /// Which parts of the fix information are valid.
         pub valid_flags: FixInfoFlags,
     }
 }
@@ -1344,7 +1351,8 @@ record! {
     /// One satellite that is tracked.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-35](crate::devices::GX5_35). Known only
@@ -1369,11 +1377,11 @@ record! {
         /// Unit: dB-Hz. Valid if
         /// [`valid_flags.carrier_noise_ratio`](SvInfoFlags::carrier_noise_ratio) is set.
         pub carrier_noise_ratio: u16,
-        /// Azimuth.
+        /// Direction of the satellite, from north.
         ///
         /// Unit: deg. Valid if [`valid_flags.azimuth`](SvInfoFlags::azimuth) is set.
         pub azimuth: i16,
-        /// Elevation.
+        /// Angle of the satellite above the horizon.
         ///
         /// Unit: deg. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation) is set.
         pub elevation: i16,
@@ -1381,7 +1389,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sv_flags`](SvInfoFlags::sv_flags) is set.
         pub sv_flags: SvFlags,
-        /// Which values are valid.
+        /// Which parts of the satellite info are valid.
         pub valid_flags: SvInfoFlags,
     }
 }
@@ -1419,7 +1427,7 @@ record! {
         ///
         /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
-        /// Which values are valid.
+        /// Which parts of the hardware status are valid.
         pub valid_flags: HardwareStatusFlags,
     }
 }
@@ -1468,7 +1476,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.num_channels`](DgpsInfoFlags::num_channels) is set.
         pub num_channels: u16,
-        /// Which values are valid.
+        /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1513,7 +1521,7 @@ record! {
         ///
         /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
         pub range_rate_correction: f32,
-        /// Which values are valid.
+        /// Which parts of the state of the corrections are valid.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1560,7 +1568,7 @@ record! {
         /// Unit: m/s. Valid if
         /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
         pub range_rate_correction: f32,
-        /// Which values are valid.
+        /// Which parts of a differential correction are valid.
         pub valid_flags: DgpsChannelFlags,
     }
 }
@@ -1596,14 +1604,15 @@ record! {
         pub drift: f64,
         /// Accuracy of the bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
+        /// Unit: s. Range: at least 0. Valid if
+        /// [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
         pub bias_accuracy_estimate: f64,
         /// Accuracy of the drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is
-        /// set.
+        /// Unit: s/s. Range: at least 0. Valid if
+        /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
         pub drift_accuracy_estimate: f64,
-        /// Which values are valid.
+        /// Which clock parameters are valid.
         pub valid_flags: ClockInfo2Flags,
     }
 }
@@ -1648,7 +1657,8 @@ record! {
     /// Status of the satellite based augmentation.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
     /// and [3DM-GX5-25](crate::devices::GX5_25).
@@ -1658,7 +1668,8 @@ record! {
     pub struct SbasInfo {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](SbasInfoFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](SbasInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1680,7 +1691,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sbas_status`](SbasInfoFlags::sbas_status) is set.
         pub sbas_status: SbasStatus,
-        /// Which values are valid.
+        /// Which parts of the SBAS status are valid.
         pub valid_flags: SbasInfoFlags,
     }
 }
@@ -1696,8 +1707,9 @@ record! {
     /// SBAS correction for one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::GnssSbasSettings`](crate::mip_3dm::GnssSbasSettings). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     /// - For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678,
@@ -1712,7 +1724,7 @@ record! {
         pub count: u8,
         /// GPS time of week of the reception.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1738,7 +1750,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.iono_correction`](SbasCorrectionFlags::iono_correction)
         /// is set.
         pub iono_correction: f32,
-        /// Which values are valid.
+        /// Which parts of an SBAS correction are valid.
         pub valid_flags: SbasCorrectionFlags,
     }
 }
@@ -1783,7 +1795,7 @@ record! {
         pub frequency: u16,
         /// Reserved.
         pub reserved: [u8; 2],
-        /// Which values are valid.
+        /// Which parts of the detection are valid.
         pub valid_flags: RfErrorDetectionFlags,
     }
 }
@@ -1814,14 +1826,15 @@ record! {
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
-        /// Unit: deg. Valid if [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set.
-        /// Uncertain: Whether it is one standard deviation.
+        /// Unit: deg. Range: at least 0. Valid if
+        /// [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set. Uncertain: Whether it is
+        /// one standard deviation.
         pub uncertainty: f32,
         /// Kind of the fix.
         ///
         /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
         pub fix_type: HeadingFixType,
-        /// Which values are valid.
+        /// Which parts of the heading are valid.
         pub valid_flags: HeadingFlags,
     }
 }
@@ -1837,7 +1850,9 @@ record! {
     /// Direction to one satellite, and its health.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings) and
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
     /// Probably supported by [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GV7-INS](crate::devices::GV7_INS).
@@ -1854,7 +1869,8 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1871,7 +1887,8 @@ record! {
         pub satellite_id: u8,
         /// Elevation, as seen from the rover.
         ///
-        /// Unit: deg. Valid if [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
+        /// Unit: deg. Range: -90 to 90. Valid if
+        /// [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
         pub elevation: f32,
         /// Azimuth, as seen from the rover.
         ///
@@ -1881,7 +1898,7 @@ record! {
         ///
         /// Valid if [`valid_flags.health`](SatelliteStatusFlags::health) is set.
         pub health: crate::Bool,
-        /// Which values are valid.
+        /// Which parts of the satellite status are valid.
         pub valid_flags: SatelliteStatusFlags,
     }
 }
@@ -1897,7 +1914,8 @@ record! {
     /// Raw observation of one signal of one satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`gnss::SignalConfig`](crate::gnss::SignalConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -1913,7 +1931,8 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](RawFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](RawFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -1961,23 +1980,24 @@ record! {
         pub doppler: f32,
         /// Uncertainty of the pseudorange.
         ///
-        /// Unit: m. Valid if [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
+        /// Unit: m. Range: at least 0. Valid if
+        /// [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
         pub range_uncertainty: f32,
         /// Uncertainty of the carrier phase.
         ///
-        /// Unit: cycle. Valid if
+        /// Unit: cycle. Range: at least 0. Valid if
         /// [`valid_flags.carrier_phase_uncertainty`](RawFlags::carrier_phase_uncertainty) is set.
         pub phase_uncertainty: f32,
         /// Uncertainty of the Doppler shift.
         ///
-        /// Unit: Hz. Valid if [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is
-        /// set.
+        /// Unit: Hz. Range: at least 0. Valid if
+        /// [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is set.
         pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
         /// Unit: s. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is set.
         pub lock_time: f32,
-        /// Which values are valid.
+        /// Which parts of the observation are valid.
         pub valid_flags: RawFlags,
     }
 }
@@ -2003,7 +2023,8 @@ record! {
     pub struct BaseStationInfo {
         /// GPS time of week at which the message was received.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2044,7 +2065,9 @@ record! {
     /// Which corrections are received, and how old they are.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
+    /// [`gnss::RtkDongleConfig`](crate::gnss::RtkDongleConfig) and
+    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX5-25](crate::devices::GX5_25).
     ///
@@ -2054,7 +2077,8 @@ record! {
     pub struct RtkCorrectionsStatus {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2126,7 +2150,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2279,7 +2303,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2402,7 +2426,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2556,7 +2580,7 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2700,7 +2724,8 @@ record! {
     pub struct GpsIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2717,7 +2742,7 @@ record! {
         /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: The
         /// units.
         pub beta: [f64; 4],
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
 }
@@ -2741,7 +2766,8 @@ record! {
     pub struct GalileoIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2759,7 +2785,7 @@ record! {
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
         /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
 }
@@ -2783,7 +2809,8 @@ record! {
     pub struct BeidouIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -2805,7 +2832,7 @@ record! {
         /// Valid if [`valid_flags.alpha_correction`](BeidouIonoCorrectionFlags::alpha_correction)
         /// is set. Uncertain: The units.
         pub alpha_correction: [f64; 9],
-        /// Which values are valid.
+        /// Which parts of the model are valid.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
 }

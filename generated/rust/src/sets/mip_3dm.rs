@@ -255,8 +255,9 @@ constructors! {
 open_enum! {
     /// Motion that a GNSS receiver assumes.
     ///
-    /// Uncertain: The values 1 to 8. The SDK of 2014 numbers the modes 0 to 8; u-blox receivers
-    /// have the same modes as 0 and 2 to 8.
+    /// Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the list in its
+    /// comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources
+    /// have names only; what is said of each mode is inferred from its name.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34).
     ReceiverDynamics: u8 {
@@ -285,7 +286,8 @@ bitfield! {
     /// Processing steps of 3-series devices.
     ///
     /// Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has
-    /// the quaternion as 0x10000, which exceeds 16 bits.
+    /// the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources
+    /// have names only; what is said of each bit is inferred from its name.
     ///
     /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
     /// (0x0C,0x35).
@@ -434,9 +436,9 @@ open_enum! {
         ON = 1, "on";
         /// On with reduced power.
         LOW_POWER = 2, "low_power";
-        /// Asleep.
+        /// Very low power; starts quickly.
         SLEEP = 3, "sleep";
-        /// Off.
+        /// Off or in deep sleep.
         OFF = 4, "off";
     }
 }
@@ -1370,6 +1372,7 @@ record! {
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
+    /// - A stream that you enable begins with current data, not with data from the time before.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1512,11 +1515,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// Probably supported by [3DM-CV5-45](crate::devices::CV5_45),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default. The SDK names only GPS
-    /// and GLONASS as enabled, but gives channels for SBAS and QZSS too.
+    /// Probably changes [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
+    /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
+    /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for
+    /// SBAS and QZSS too.
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
@@ -1594,9 +1600,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSbasSettingsResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
+    /// Probably changes [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
+    /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
@@ -1763,7 +1771,8 @@ record! {
         pub function: types::FunctionSelector,
         /// GPS time of week.
         ///
-        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: s. Range: at least 0, less than 604800. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub tow: Option<f64>,
         /// GPS week number since 1980.
         ///
@@ -1771,7 +1780,7 @@ record! {
         pub week_number: Option<u16>,
         /// Accuracy of the time.
         ///
-        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub accuracy: Option<f32>,
     }
     wire 15 {
@@ -1814,7 +1823,13 @@ record! {
     /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`PpsSourceControlResponse`]. Supported by
+    /// Answered by [`PpsSourceControlResponse`]. Changes
+    /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably changes
+    /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp),
+    /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) and
+    /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp). Flagged by
+    /// [`time_sync_warning`](crate::filter_data::Cv7StatusFlags::time_sync_warning) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
@@ -2365,7 +2380,26 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformEulerResponse`]. Supported by
+    /// [`SensorToVehicleTransformEulerResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
+    /// by
+    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -2379,10 +2413,8 @@ record! {
     /// - Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
     ///   about its own z, y and x axes, in this order.
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
-    /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
-    ///   rate and gravity of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     /// - On some older devices the setting is the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
@@ -2453,8 +2485,24 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [`SensorToVehicleTransformQuaternionResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -2467,11 +2515,8 @@ record! {
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
     ///   takes.
-    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
-    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
-    ///   gravity vector of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy)]
@@ -2527,7 +2572,26 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleTransformDcmResponse`]. Supported by
+    /// [`SensorToVehicleTransformDcmResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion),
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles),
+    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
+    /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::GravityVector`](crate::filter_data::GravityVector). Probably changes
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel) and
+    /// [`sensor::CompOrientationUpdateMatrix`](crate::sensor::CompOrientationUpdateMatrix). Flagged
+    /// by
+    /// [`mounting_transform_warning`](crate::filter_data::Cv7StatusFlags::mounting_transform_warning)
+    /// of [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
@@ -2539,11 +2603,8 @@ record! {
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
-    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
-    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
-    ///   gravity vector of the filter.
-    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
-    ///   filters start anew.
+    /// - Every change resets the complementary filter, the estimation filter and all low-pass
+    ///   filters.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -2600,9 +2661,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
-    /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of
-    /// 2014 has it in its example for the 3DM-GX3-35 only.
+    /// Probably changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Probably supported by
+    /// [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of 2014 and MicroStrain
+    /// Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    /// example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2657,13 +2720,21 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
-    /// Probably supported by [3DM-GX3-15](crate::devices::GX3_15),
-    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35) and
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014 and MicroStrain
-    /// Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are
-    /// those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain:
-    /// Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
-    /// Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
+    /// [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Probably supported by
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
+    /// defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
+    /// which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
+    /// example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
+    /// response. MSCL reads it without.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2819,7 +2890,10 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Supported by
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably changes
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity) and
+    /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -2901,7 +2975,10 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Supported by
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
+    /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2987,25 +3064,29 @@ record! {
     ///
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
-    /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
-    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`filter_data::GyroBias`](crate::filter_data::GyroBias). Flagged by
+    /// [`imu_bias_warning`](crate::filter_data::Cv7StatusFlags::imu_bias_warning) of
+    /// [`filter_data::Cv7StatusFlags`](crate::filter_data::Cv7StatusFlags). The device may take 31
+    /// s to answer. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -3049,7 +3130,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagHardIronOffsetResponse`]. Supported by
+    /// Answered by [`MagHardIronOffsetResponse`]. Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3141,7 +3223,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagSoftIronMatrixResponse`]. Supported by
+    /// Answered by [`MagSoftIronMatrixResponse`]. Changes
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3232,7 +3315,9 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConingScullingEnableResponse`].
-    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
+    /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// Probably supported by [3DM-CL5-10](crate::devices::CL5_10),
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -3374,8 +3459,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Supported
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Probably
+    /// changes [`system_data::GpioState`](crate::system_data::GpioState) and
+    /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -3540,7 +3627,8 @@ record! {
     /// Sets or reads the state of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Supported by
+    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Changes
+    /// [`system_data::GpioState`](crate::system_data::GpioState). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -3605,7 +3693,8 @@ record! {
     /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`OdometerConfigResponse`]. Supported by
+    /// Answered by [`OdometerConfigResponse`]. Changes
+    /// [`sensor::Odometer`](crate::sensor::Odometer). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX3-25](crate::devices::GX3_25).
     ///
@@ -3626,7 +3715,7 @@ record! {
         pub scaling: Option<f32>,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
-        /// Unit: 1. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: 1. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub uncertainty: Option<f32>,
     }
     wire 10 {
@@ -3679,7 +3768,11 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuLowPassFilterResponse`].
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -3791,10 +3884,14 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ComplementaryFilterResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// Changes [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
+    /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
+    /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
+    /// [`sensor::NorthVector`](crate::sensor::NorthVector) and
+    /// [`sensor::UpVector`](crate::sensor::UpVector). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -3897,8 +3994,11 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Probably
+    /// changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro) and
+    /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
@@ -4002,7 +4102,14 @@ record! {
     /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`LowPassFilterResponse`]. Supported by
+    /// Answered by [`LowPassFilterResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
+    /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure),
+    /// [`filter_data::CompAccel`](crate::filter_data::CompAccel),
+    /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
@@ -4095,9 +4202,10 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`].
     /// Probably supported by [3DM-GX3-35](crate::devices::GX3_35). Known only from the MIP SDK of
     /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
-    /// the SDK of 2014 restricts it to the 3DM-GX3-35.
+    /// the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than
+    /// write require `format`. The SDK of 2014 sends both parameters with every function, and a 0
+    /// in place of `format`.
     ///
-    /// - Both parameters are sent with every function.
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
     ///   receiver.
@@ -4160,7 +4268,9 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
     /// from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
     /// have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain:
-    /// The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed.
+    /// The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain:
+    /// Whether `state` may be left out with functions other than write. The SDK of 2014 sends
+    /// `device` with every function, and a 0 in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -6448,7 +6558,7 @@ record! {
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0, less than 604800.
         pub tow: f64,
         /// GPS week number since 1980.
         ///
@@ -6456,7 +6566,7 @@ record! {
         pub week_number: u16,
         /// Accuracy of the time.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0.
         pub accuracy: f32,
     }
 }
@@ -6967,7 +7077,7 @@ record! {
         pub scaling: f32,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
-        /// Unit: 1.
+        /// Unit: 1. Range: at least 0.
         pub uncertainty: f32,
     }
 }

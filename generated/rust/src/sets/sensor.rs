@@ -12,34 +12,34 @@ pub const SET: u8 = 0x80;
 bitfield! {
     /// Sensor axes that were near or outside their range.
     OverrangeFlags: u16 {
-        /// Accelerometer X axis. Bit 0.
+        /// Accelerometer X axis. Bit 0. Concerns [`ScaledAccel`].
         ACCEL_X: bool = 0,
             accel_x, set_accel_x, with_accel_x;
-        /// Accelerometer Y axis. Bit 1.
+        /// Accelerometer Y axis. Bit 1. Concerns [`ScaledAccel`].
         ACCEL_Y: bool = 1,
             accel_y, set_accel_y, with_accel_y;
-        /// Accelerometer Z axis. Bit 2.
+        /// Accelerometer Z axis. Bit 2. Concerns [`ScaledAccel`].
         ACCEL_Z: bool = 2,
             accel_z, set_accel_z, with_accel_z;
-        /// Gyroscope X axis. Bit 4.
+        /// Gyroscope X axis. Bit 4. Concerns [`ScaledGyro`].
         GYRO_X: bool = 4,
             gyro_x, set_gyro_x, with_gyro_x;
-        /// Gyroscope Y axis. Bit 5.
+        /// Gyroscope Y axis. Bit 5. Concerns [`ScaledGyro`].
         GYRO_Y: bool = 5,
             gyro_y, set_gyro_y, with_gyro_y;
-        /// Gyroscope Z axis. Bit 6.
+        /// Gyroscope Z axis. Bit 6. Concerns [`ScaledGyro`].
         GYRO_Z: bool = 6,
             gyro_z, set_gyro_z, with_gyro_z;
-        /// Magnetometer X axis. Bit 8.
+        /// Magnetometer X axis. Bit 8. Concerns [`ScaledMag`].
         MAG_X: bool = 8,
             mag_x, set_mag_x, with_mag_x;
-        /// Magnetometer Y axis. Bit 9.
+        /// Magnetometer Y axis. Bit 9. Concerns [`ScaledMag`].
         MAG_Y: bool = 9,
             mag_y, set_mag_y, with_mag_y;
-        /// Magnetometer Z axis. Bit 10.
+        /// Magnetometer Z axis. Bit 10. Concerns [`ScaledMag`].
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
-        /// Pressure sensor. Bit 12.
+        /// Pressure sensor. Bit 12. Concerns [`ScaledPressure`].
         PRESSURE: bool = 12,
             pressure, set_pressure, with_pressure;
     }
@@ -130,7 +130,31 @@ record! {
     ///
     /// Measured acceleration, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// [`accel_fault`](types::Cv7BuiltInTest::accel_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Cv7ContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Cv7ContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Cv7ContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
+    /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`] and
+    /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
@@ -154,9 +178,9 @@ record! {
     /// Accel (0x80,0x04).
     #[derive(Copy, Default)]
     pub struct ScaledAccel {
-        /// Acceleration.
+        /// Specific force: acceleration minus gravity.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: vehicle.
+        /// Elements: x, y, z. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.
         pub scaled_accel: types::Vector3f,
     }
 }
@@ -171,7 +195,32 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Flagged by
+    /// [`gyro_fault`](types::Cv7BuiltInTest::gyro_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Cv7ContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Cv7ContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Cv7ContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
+    /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`] and
+    /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
@@ -195,9 +244,10 @@ record! {
     /// (0x80,0x05).
     #[derive(Copy, Default)]
     pub struct ScaledGyro {
-        /// Angular rate.
+        /// Angular rate about each axis.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle.
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above.
         pub scaled_gyro: types::Vector3f,
     }
 }
@@ -212,11 +262,37 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
-    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset),
+    /// [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix),
+    /// [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter),
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning). Flagged by
+    /// [`mag_fault`](types::Gx5BuiltInTest::mag_fault) of [`types::Gx5BuiltInTest`],
+    /// [`mag_fault`](types::Cv7BuiltInTest::mag_fault) of [`types::Cv7BuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Cv7ContinuousBuiltInTest::imu_calibration_error_mag) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Cv7ContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Cv7ContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Cv7ContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Cv7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
+    /// [`mag_y`](OverrangeFlags::mag_y) of [`OverrangeFlags`] and [`mag_z`](OverrangeFlags::mag_z)
+    /// of [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Probably
+    /// supported by [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
@@ -249,10 +325,21 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`mip_3dm::GyroBias`](crate::mip_3dm::GyroBias),
+    /// [`mip_3dm::CaptureGyroBias`](crate::mip_3dm::CaptureGyroBias) and
+    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -273,7 +360,8 @@ record! {
     pub struct DeltaTheta {
         /// Integral of the angular rate.
         ///
-        /// Elements: x, y, z. Unit: rad. Frame: vehicle.
+        /// Elements: x, y, z. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0.
+        /// Positive: right side down, nose up, clockwise seen from above.
         pub delta_theta: types::Vector3f,
     }
 }
@@ -288,9 +376,20 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15). Probably
-    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning),
+    /// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler),
+    /// [`filter::TareOrientation`](crate::filter::TareOrientation),
+    /// [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) and
+    /// [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion).
+    /// Probably changed by [`mip_3dm::AccelBias`](crate::mip_3dm::AccelBias) and
+    /// [`mip_3dm::ConingScullingEnable`](crate::mip_3dm::ConingScullingEnable). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
@@ -306,6 +405,8 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    /// - It includes gravity. Divided by the period, z is -1 g on a device that is level and at
+    ///   rest.
     ///
     /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
     /// Velocity (0x80,0x08).
@@ -313,7 +414,7 @@ record! {
     pub struct DeltaVelocity {
         /// Integral of the acceleration.
         ///
-        /// Elements: x, y, z. Unit: g\*s. Frame: vehicle.
+        /// Elements: x, y, z. Unit: g\*s. Frame: vehicle. At rest and level: x 0, y 0.
         pub delta_velocity: types::Vector3f,
     }
 }
@@ -329,21 +430,26 @@ record! {
     /// Attitude from the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     ///   3DM-GX5-15.
@@ -354,8 +460,9 @@ record! {
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. On the
-        /// [3DM-GX5-15](crate::devices::GX5_15): From the NED frame to the sensor frame.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
+        /// level: m13 0, m23 0, m31 0, m32 0, m33 1. On the [3DM-GX5-15](crate::devices::GX5_15):
+        /// From the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
 }
@@ -370,7 +477,13 @@ record! {
     ///
     /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
@@ -394,8 +507,8 @@ record! {
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Frame: ned. On the [3DM-GX5-15](crate::devices::GX5_15):
-        /// Between NED and the sensor frame.
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): Between NED and the sensor frame.
         pub q: types::Quatf,
     }
 }
@@ -410,10 +523,13 @@ record! {
     ///
     /// Change of the attitude from the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
-    /// interval of the change and the frames. The SDK and the SDK of 2014 state the name and the
-    /// layout only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Probably changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
+    /// and [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm).
+    /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
+    /// SDK. Uncertain: The interval of the change and the frames. The SDK and the SDK of 2014 state
+    /// the name and the layout only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B); mip-sdk-2014: Orientation
     /// Update Matrix (0x80,0x0B).
@@ -437,21 +553,27 @@ record! {
     ///
     /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
-    /// [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
-    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
-    /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX4-15](crate::devices::GX4_15),
-    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45).
+    /// Changed by
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion),
+    /// [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm),
+    /// [`mip_3dm::ImuSignalConditioning`](crate::mip_3dm::ImuSignalConditioning) and
+    /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
+    /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV5-45](crate::devices::CV5_45),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The ranges of the angles. Uncertain: which no source states.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -461,15 +583,18 @@ record! {
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. At rest and
+        /// level: 0. Positive: right side down.
         pub roll: f32,
         /// Pitch angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and
+        /// level: 0. Positive: nose up.
         pub pitch: f32,
         /// Yaw angle.
         ///
-        /// Unit: rad. Frame: ned.
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
+        /// clockwise seen from above.
         pub yaw: f32,
     }
 }
@@ -611,6 +736,7 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
+    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15). Probably supported by
     /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
@@ -645,6 +771,7 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
+    /// Probably changed by [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     /// Probably supported by [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
@@ -663,7 +790,7 @@ record! {
     pub struct UpVector {
         /// The part of the measured acceleration that gravity causes.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.
         pub stabilized_accel: types::Vector3f,
     }
 }
@@ -678,10 +805,11 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
-    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
-    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
+    /// supported by [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
     /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-10](crate::devices::CX5_10),
@@ -703,9 +831,9 @@ record! {
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set. On the [3DM-GX5-15](crate::devices::GX5_15) and
-        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid) is set. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub tow: f64,
@@ -770,7 +898,7 @@ record! {
         ///
         /// Unit: degC.
         pub max_temperature: f32,
-        /// Mean temperature.
+        /// Mean of the temperatures inside the device.
         ///
         /// Unit: degC.
         pub mean_temperature: f32,
@@ -809,10 +937,23 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). Probably
-    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// Changed by [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) and
+    /// [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter). Flagged by
+    /// [`pressure_sensor_fault`](types::Gx5BuiltInTest::pressure_sensor_fault) of
+    /// [`types::Gx5BuiltInTest`],
+    /// [`pressure_sensor_fault`](types::Cv7BuiltInTest::pressure_sensor_fault) of
+    /// [`types::Cv7BuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Cv7ContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Cv7ContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Cv7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Cv7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
+    /// [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). Probably supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
     /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
@@ -845,7 +986,8 @@ record! {
     ///
     /// Which sensor axes are near or outside their range.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Probably changed by [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
@@ -871,8 +1013,10 @@ record! {
     ///
     /// Speed measured by the wheel encoder.
     ///
-    /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
+    /// Also called `odometer_data`. Changed by
+    /// [`mip_3dm::OdometerConfig`](crate::mip_3dm::OdometerConfig). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
     #[derive(Copy, Default)]
@@ -883,7 +1027,8 @@ record! {
         pub speed: f32,
         /// Uncertainty of the speed.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        /// Unit: m/s. Range: at least 0. Valid if [`valid_flags.odometer`](OdometerFlags::odometer)
+        /// is set.
         pub uncertainty: f32,
         /// Whether the values are valid.
         pub valid_flags: OdometerFlags,

@@ -124,7 +124,9 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
@@ -147,7 +149,8 @@ record! {
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
@@ -261,13 +264,14 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS).
+    /// Changed by [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). Probably changed by
+    /// [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS).
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.

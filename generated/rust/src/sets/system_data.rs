@@ -102,8 +102,9 @@ record! {
     ///
     /// Whether the device time is locked to the pulse per second.
     ///
-    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR)
-    /// and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
+    /// Changed by [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl). Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
@@ -132,14 +133,15 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Supported by [3DM-CV7-AR](crate::devices::CV7_AR) and
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-INS](crate::devices::CV7_INS),
-    /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
-    /// [3DM-GV7-INS](crate::devices::GV7_INS). On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
-    /// firmware \> 1.0.10.
+    /// Changed by [`mip_3dm::GpioState`](crate::mip_3dm::GpioState). Probably changed by
+    /// [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Supported by
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Probably supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
+    /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS). On the
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.
@@ -165,7 +167,8 @@ record! {
     ///
     /// Voltage at one GPIO pin.
     ///
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Probably changed by [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///

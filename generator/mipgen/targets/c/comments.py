@@ -100,7 +100,7 @@ class Comments:
     def field(self, f: m.Field) -> list[str]:
         one = f.set and len(f.occurrences) == 1
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if one else hexadecimal(f.descriptor)
-        facts = [x for x in describe.field(f, self.model) if x.topic not in ("perhaps", "refused")]
+        facts = [x for x in describe.field(f, self.model) if x.topic not in ("perhaps", "refused", "affected", "flags")]
         unsure = [UNSURE] if self.model.devices_of(f, certain=False) and not self.model.devices_of(f) else []
         return [
             f"{f.title}: {f.role} {place}.",

@@ -14,18 +14,25 @@ from mipgen.lower.extent import Extent, totals
 from .places import Page
 from .text import code, hexadecimal, inline, opening, spaced, table
 
-#: Facts that the table of forms has.
+#: Facts that the table of forms has, and those that have a line each.
 TABLED = ("functions", "responses")
+LISTED = ("affects", "may_affect", "affected", "flags", "note")
 
 
 def facts(page: Page, f: m.Field) -> str:
     """The facts about a field besides its description, in sentences."""
-    said = [(x.topic, page.say(x.sentence)) for x in describe.field(f, page.model) if x.topic not in (*TABLED, "note")]
+    facts = (x for x in describe.field(f, page.model) if x.topic not in (*TABLED, *LISTED))
+    said = [(x.topic, page.say(x.sentence)) for x in facts]
     return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in said)
 
 
 def notes(page: Page, f: m.Field) -> list[str]:
-    return [opening(page.say(x.sentence)) for x in describe.topics(describe.field(f, page.model), "note")]
+    return [opening(page.say(x.sentence)) for x in describe.topics(describe.field(f, page.model), *LISTED)]
+
+
+def changed(page: Page, s: m.Set) -> list[str]:
+    """The commands that may change every field of a set."""
+    return [opening(page.say(x.sentence)) for x in describe.changed(s, page.model)]
 
 
 # --------------------------------------------------------------------------- lengths

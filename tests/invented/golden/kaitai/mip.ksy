@@ -297,6 +297,7 @@ types:
         type: b15
       - id: sensor
         type: b1
+        doc: The sensor is broken.
       - id: unused_1
         type: b7
       - id: clock

@@ -36,7 +36,7 @@ E["tools.pulse_use"] = { [1] = "input", [2] = "output", }
 E["tools.serial_use"] = { [1] = "receive", [33] = "transmit", }
 F["tools.model_a_faults"] = {
   { name = "clock", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "" },
-  { name = "sensor", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "" },
+  { name = "sensor", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "The sensor is broken." },
   { name = "solution", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "" },
 }
 F["tools.model_b_faults"] = {
@@ -346,7 +346,7 @@ field({ descriptor = 0x01, name = "measurements.accel", role = "data", title = "
     doc = "A vector whose elements are valid together.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. At rest and level: x 0, z -1. Positive: along point. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid. On the Model C: only ready and level." },
     } }, { { set = 0x80, name = "measurements.accel", title = "Acceleration" }, { set = 0x81, name = "more.accel", title = "Second acceleration" }, { set = 0x92, name = "copy.accel", title = "Third acceleration" }, })
 field({ descriptor = 0x02, name = "measurements.numbers", role = "data", title = "Numbers",

@@ -23,8 +23,10 @@ class Accel(Shared, Data):
 
     A vector whose elements are valid together.
 
-    Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by
-    Model A, Model B and Model C. On the Model C: firmware > 1.0.07.
+    Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by `tools.Bias`. Probably
+    changed by `tools.CaptureBias`. Flagged by `tools.ModelAFaults.SENSOR` of `tools.ModelAFaults`.
+    Maximum rate: 100 Hz. Supported by Model A, Model B and Model C. On the Model C: firmware >
+    1.0.07.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -43,9 +45,10 @@ class Accel(Shared, Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
-    flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
-    z: `types.StateFlags.READY` of `valid_flags`.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, z -1.
+    Positive: along `types.Point`. Each element has its own valid flag. x: `types.StateFlags.READY`
+    of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`, z: `types.StateFlags.READY` of
+    `valid_flags`.
 
     - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of
       `valid_flags`, y: `types.StateFlags.READY` of `valid_flags`, z: `types.StateFlags.HOT` of
@@ -686,7 +689,8 @@ class Gust(Shared, Data):
 
     One valid flag for all values but one; `Breeze` has the same place.
 
-    Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
+    Occurs in measurements (0x80) and copy (0x92). Changed by `tools.Bias`. Not listed in any device
+    profile.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.

@@ -221,7 +221,7 @@ class ModelAFaults(IntFlag):
     CLOCK = 1 << 0
     """Bit 0."""
     SENSOR = 1 << 8
-    """Bit 8."""
+    """The sensor is broken. Bit 8. Concerns `measurements.Accel` and `CaptureBias`."""
     SOLUTION = 1 << 24
     """Bit 24."""
 
@@ -1397,8 +1397,9 @@ class Bias(Command[R]):
 
     Its response serves another command too.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Supported by
-    Model A and Model C.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Changes
+    `measurements.Accel` and `measurements.Gust`. Probably changes more (0x81). Supported by Model A
+    and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -1497,8 +1498,9 @@ class CaptureBias(Command[BiasVector]):
 
     Measures the bias.
 
-    Answered by `BiasVector`. Supported by Model A and Model C. Deprecated on the Model C: use
-    `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
+    Answered by `BiasVector`. Probably changes `measurements.Accel`. Flagged by
+    `ModelAFaults.SENSOR` of `ModelAFaults`. Supported by Model A and Model C. Deprecated on the
+    Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
 
     - guide: Capture bias
     """

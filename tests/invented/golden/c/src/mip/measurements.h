@@ -43,12 +43,12 @@ extern "C" {
  */
 struct mip_measurements_accel {
     /**
-     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
-     * flag. x: MIP_STATE_FLAGS_READY in valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z:
-     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned; valid flags x:
-     * MIP_STATE_FLAGS_HOT in valid_flags, y: MIP_STATE_FLAGS_READY in valid_flags, z:
-     * MIP_STATE_FLAGS_HOT in valid_flags. Turned by the device. On the Model C: no flag says
-     * whether it is valid.
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, z -1.
+     * Positive: along mip_point. Each element has its own valid flag. x: MIP_STATE_FLAGS_READY in
+     * valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z: MIP_STATE_FLAGS_READY in valid_flags.
+     * On the Model B: unit m, m, s; frame ned; valid flags x: MIP_STATE_FLAGS_HOT in valid_flags,
+     * y: MIP_STATE_FLAGS_READY in valid_flags, z: MIP_STATE_FLAGS_HOT in valid_flags. Turned by the
+     * device. On the Model C: no flag says whether it is valid.
      */
     float scaled_accel[3];
     /** What is valid. On the Model C: only MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_LEVEL. */

@@ -129,7 +129,7 @@ struct mip_tools_reading {
 typedef uint32_t mip_tools_a_faults;
 /** Bit 0. */
 #define MIP_TOOLS_A_FAULTS_CLOCK UINT32_C(0x00000001)
-/** Bit 8. */
+/** Bit 8. The sensor is broken. Concerns mip_measurements_accel and mip_tools_capture_bias. */
 #define MIP_TOOLS_A_FAULTS_SENSOR UINT32_C(0x00000100)
 /** Bit 24. */
 #define MIP_TOOLS_A_FAULTS_SOLUTION UINT32_C(0x01000000)
@@ -865,7 +865,8 @@ static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value
  *
  * Its response serves another command too.
  *
- * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector. Supported by
+ * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector. Changes
+ * mip_measurements_accel and mip_measurements_gust. Probably changes MIP_MORE_SET. Supported by
  * Model A and Model C.
  *
  * - guide: Bias
@@ -1011,8 +1012,9 @@ static inline mip_error mip_tools_bias_vector_encode_inline(
  *
  * Measures the bias.
  *
- * Answered by mip_tools_bias_vector. Supported by Model A and Model C. Deprecated on the Model C:
- * use mip_tools_bias instead. On the Model C: firmware >= 1.0, < 1.1.
+ * Answered by mip_tools_bias_vector. Probably changes mip_measurements_accel. Supported by Model A
+ * and Model C. Deprecated on the Model C: use mip_tools_bias instead. On the Model C: firmware >=
+ * 1.0, < 1.1.
  *
  * - guide: Capture bias
  */

@@ -19,8 +19,12 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported
-    /// by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Changed by
+    /// [`tools::Bias`](crate::tools::Bias). Probably changed by
+    /// [`tools::CaptureBias`](crate::tools::CaptureBias). Flagged by
+    /// [`sensor`](crate::tools::ModelAFaults::sensor) of
+    /// [`tools::ModelAFaults`](crate::tools::ModelAFaults). Maximum rate: 100 Hz. Supported by
+    /// [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C). On the [Model C](crate::devices::MODEL_C): firmware \> 1.0.07.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration; guide: Second acceleration; guide: Third
@@ -29,7 +33,8 @@ record! {
     pub struct Accel {
         /// Specific force.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid flag. x:
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, z -1. Positive: along
+        /// [`types::Point`]. Each element has its own valid flag. x:
         /// [`valid_flags.ready`](types::StateFlags::ready), y:
         /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
@@ -325,7 +330,8 @@ record! {
     ///
     /// One valid flag for all values but one; [`Breeze`] has the same place.
     ///
-    /// Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
+    /// Occurs in measurements (0x80) and copy (0x92). Changed by
+    /// [`tools::Bias`](crate::tools::Bias). Not listed in any device profile.
     ///
     /// The wire format also contains `gap`: Always the same. Always 7.
     ///

@@ -192,7 +192,8 @@ bitfield! {
         /// Clock. Bit 0.
         CLOCK: bool = 0,
             clock, set_clock, with_clock;
-        /// Sensor. Bit 8.
+        /// The sensor is broken. Bit 8. Concerns
+        /// [`measurements::Accel`](crate::measurements::Accel) and [`CaptureBias`].
         SENSOR: bool = 8,
             sensor, set_sensor, with_sensor;
         /// Solution. Bit 24.
@@ -490,8 +491,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`BiasVector`]. Supported by [Model
-    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`BiasVector`]. Changes
+    /// [`measurements::Accel`](crate::measurements::Accel) and
+    /// [`measurements::Gust`](crate::measurements::Gust). Probably changes more (0x81). Supported
+    /// by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Copy)]
@@ -544,9 +547,12 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
-    /// C](crate::devices::MODEL_C). Deprecated on the [Model C](crate::devices::MODEL_C): use
-    /// [`Bias`] instead. On the [Model C](crate::devices::MODEL_C): firmware \>= 1.0, \< 1.1.
+    /// Answered by [`BiasVector`]. Probably changes
+    /// [`measurements::Accel`](crate::measurements::Accel). Flagged by
+    /// [`sensor`](ModelAFaults::sensor) of [`ModelAFaults`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). Deprecated on the [Model
+    /// C](crate::devices::MODEL_C): use [`Bias`] instead. On the [Model
+    /// C](crate::devices::MODEL_C): firmware \>= 1.0, \< 1.1.
     ///
     /// Source: guide: Capture bias.
     #[derive(Copy, Default, Eq, Hash)]
