@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from mip_protocol import Support, base, devices
+from mip_protocol import base, devices
+from mip_protocol.devices import Support
 from mip_tools import __main__
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.profiles import certain

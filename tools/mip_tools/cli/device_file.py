@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..binding import DEVICES, SETS, Device, Response, identify, model_number, types
+from ..binding import DEVICES, SETS, Device, identify, model_number, types
 from ..errors import Failure
 from .listing import Listing, ToldPort
-from .yaml_text import YamlFile, child, listed, parsed, plain, word
+from .yaml_text import YamlFile, child, listed, parsed, plain, quoted, word
 
 SHARED = 0xFF
 #: The keys of an entry of the evidence that a new list replaces.
@@ -65,7 +65,7 @@ class Facts:
         by_set: dict[str, list[str]] = {}
         for key in sorted(self.told.descriptors, key=self._set):
             kinds = types(*key)
-            if kinds and not issubclass(kinds[0], Response) and kinds[0].ROLE != "response":
+            if kinds and kinds[0].ROLE != "response":
                 full = kinds[0].name_in(key[0])
                 set, _, name = full.partition(".")
                 if name not in by_set.setdefault(set, []):
@@ -111,7 +111,7 @@ class Facts:
         for port in self.told.ports:
             if port.id in written:
                 said.append(f"{port.name} is given with the settings that it had.")
-            elif port.baud is not None and port.baud not in known.get(port.id, ()):
+            elif port.baud is not None and port.baud not in known.get(port.id, ()) and not port.virtual:
                 said.append(f"{port.name} was set to {port.baud} Bd.")
         shared = {set for set, d in self.told.descriptors if (k := types(set, d)) and k[0].NAME.startswith("shared.")}
         data = {set for set, _ in self.told.descriptors if 0x80 <= set < SHARED}
@@ -119,41 +119,38 @@ class Facts:
             said.append(f"Shared data is listed in {', '.join(f'0x{set:02X}' for set in sorted(shared))} only.")
         return " ".join(said)
 
-    def contradictions(self) -> Iterator[str]:
-        """What the profile of the generated package states otherwise."""
+    def remark(self) -> list[str]:
+        """The note as a key."""
+        return [f"note: {quoted(self.note())}"] if self.note() else []
+
+    def contradictions(self) -> dict[str, str]:
+        """What the profile of the generated package states otherwise: data set -> what is said of it."""
+        found = {}
         known = self.model.profile.base_rates if self.model.profile else {}
         for number, rate in self.told.base_rates.items():
             if number in known and known[number] != rate and number in SETS:
-                yield f"the device says {rate} Hz for {SETS[number][0]}, its profile {known[number]:g} Hz"
+                name = SETS[number][0]
+                found[name] = f"the device says {rate} Hz for {name}, its profile {known[number]:g} Hz"
+        return found
 
     # ----------------------------------------------------------------- as YAML
 
-    def entry(self, more: list[str] | None = None) -> list[str]:
-        """The entry of the evidence, with other keys that an earlier one had."""
-        lines = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}"]
-        if more is not None:
-            lines += more
-        elif self.note():
-            lines.append(f"note: {word(self.note())}")
+    def entry(self, more: list[str]) -> list[str]:
+        """The entry of the evidence, with other keys that it has."""
+        lines = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
         for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
             if by_set:
                 lines += [f"{key}:", *(f"  {line}" for set, names in by_set.items() for line in listed(set, names))]
         return lines
 
-    def flow_entry(self, more: list[str] | None = None) -> str:
-        note = [f"note: {_quoted(self.note())}"] if more is None and self.note() else []
-        parts = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *(more or note)]
+    def flow_entry(self, more: list[str]) -> str:
+        """The same in brackets."""
+        parts = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
         for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
             if by_set:
                 sets = ", ".join(f"{set}: [{', '.join(names)}]" for set, names in by_set.items())
                 parts.append(f"{key}: {{{sets}}}")
         return f"{{{', '.join(parts)}}}"
-
-
-def _quoted(text: str) -> str:
-    import json
-
-    return json.dumps(text, ensure_ascii=False)
 
 
 def _rate(rate: int | None) -> str:
@@ -166,7 +163,7 @@ def _rates(rates: dict[str, int | None]) -> str:
 
 def _port(port: ToldPort) -> str:
     rates = f"baud_rates: [{port.baud or ''}]"
-    receives, sends = (", ".join(p.upper() if not p.startswith("0x") else _quoted(p) for p in way or ())
+    receives, sends = (", ".join(p.upper() if not p.startswith("0x") else quoted(p) for p in way or ())
                        for way in (port.receives, port.sends))  # fmt: skip
     return f"{{name: {port.name}, id: 0x{port.id:02X}, {rates}, receives: [{receives}], sends: [{sends}]}}"
 
@@ -190,7 +187,7 @@ def new(facts: Facts, folder: Path) -> str:
         if it.number:
             lines.append(f"model_number: {it.number}")
         lines += [f"description: {word(_description(it))}", f"incomplete: [{NEW}]"]
-    first, *rest = facts.entry()
+    first, *rest = facts.entry(facts.remark())
     lines += ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
     if facts.rates():
         lines.append(f"base_rates: {_rates(facts.rates())}")
@@ -216,8 +213,8 @@ def _elsewhere(id: str, folder: Path) -> bool:
 # --------------------------------------------------------------------------- a file that is there
 
 
-def merged(facts: Facts, path: Path) -> tuple[str, list[str]]:
-    """The text of a file with what the device told, and what contradicts it, each with its place.
+def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
+    """The text of a file with what the device told, and what contradicts it, by data set or port, each with its place.
 
     Everything that the file says stays. Raises Failure if it is no file of this device.
     """
@@ -231,7 +228,7 @@ def merged(facts: Facts, path: Path) -> tuple[str, list[str]]:
         raise Failure(f"{file.place(named)}: this is '{named.value}', and the device is '{wanted}'; rename the file")
     expected = plain(file.root)
     _add_evidence(file, facts, expected)
-    contradictions = [*_add_rates(file, facts, expected, own is not None), *_add_ports(file, facts, expected)]
+    contradictions = {**_add_rates(file, facts, expected, own is not None), **_add_ports(file, facts, expected)}
     text = file.changed()
     if parsed(text, path) != expected:
         raise Failure(f"{path} cannot be changed without a loss; use --stdout, and add to it by hand")
@@ -241,32 +238,34 @@ def merged(facts: Facts, path: Path) -> tuple[str, list[str]]:
 def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> None:
     evidence = file.get("evidence", "sequence")
     entries = list(evidence.value) if evidence is not None else []
-    new = _plain(facts.flow_entry(), file.path)
+    flow = facts.flow_entry(facts.remark())
+    new = _plain(flow, file.path)
     for i, entry in enumerate(entries):
         said = plain(entry)
         if not isinstance(said, dict) or (said.get("kind"), said.get("firmware")) != ("listed", new["firmware"]):
             continue
         if all(said.get(key) == new.get(key) for key in ("fields", "undefined")):
             return  # the same list, on the day on which it was first read
-        more = [f"{key.value}: {file.source(value)}" for key, value in entry.value if key.value not in OWN]
+        more = [file.source(key, value) for key, value in entry.value if key.value not in OWN]
+        more += facts.remark() if "note" not in said else []
         file.replace_item(entry, facts.entry(more), facts.flow_entry(more))
-        kept = {key: value for key, value in said.items() if key not in OWN}
-        expected["evidence"][i] = {**{key: new[key] for key in OWN if key in new}, **kept}
+        expected["evidence"][i] = new | {key: value for key, value in said.items() if key not in OWN}
         return
-    first, *rest = facts.entry()
+    first, *rest = lines = facts.entry(facts.remark())
     if evidence is not None:
-        file.add_item(evidence, facts.entry(), facts.flow_entry())
+        file.add_item(evidence, lines, flow)
     else:
-        lines = ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
-        file.add_key(file.root, lines, f"evidence: [{facts.flow_entry()}]")
+        whole = ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
+        file.add_key(file.root, whole, f"evidence: [{flow}]")
     expected.setdefault("evidence", []).append(new)
 
 
-def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bool) -> Iterator[str]:
+def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bool) -> dict[str, str]:
     """`whole`: a profile of its own, which may inherit what the generated package knows."""
     node = file.get("base_rates", "mapping")
     profile = facts.model.profile
     new: dict[str, int | None] = {}
+    contradictions = {}
     for name, rate in facts.rates().items():
         said = child(node, name) if node is not None else None
         number = next(n for n, names in SETS.items() if names[0] == name)
@@ -277,7 +276,8 @@ def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bo
             file.replace(said, str(rate))
             expected["base_rates"][name] = str(rate)
         elif rate is not None and _number(said.value) != rate:
-            yield f"{file.place(said)}: the device says {rate} Hz for {name}, not {said.value}; the file is kept"
+            place = file.place(said)
+            contradictions[name] = f"{place}: the device says {rate} Hz for {name}, not {said.value}; the file is kept"
     if new and node is None:
         file.add_key(file.root, [f"base_rates: {_rates(new)}"], f"base_rates: {_rates(new)}")
     elif node is not None:
@@ -285,12 +285,14 @@ def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bo
             file.add_key(node, [f"{name}: {_rate(rate)}"], f"{name}: {_rate(rate)}")
     if new:
         expected.setdefault("base_rates", {}).update({name: _rate(rate) for name, rate in new.items()})
+    return contradictions
 
 
-def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Iterator[str]:
+def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> dict[str, str]:
     node = file.get("ports", "sequence")
     entries = list(node.value) if node is not None else []
     new = []
+    contradictions = {}
     for port in facts.ports():
         same = [x for x in entries if _is_port(x, port)]
         if not same:
@@ -299,7 +301,7 @@ def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Iterat
             text, number = child(entry, "name"), child(entry, "id")
             if number is None or text is None or (text.value, _number(number.value)) != (port.name, port.id):
                 said = f"the device calls the port {port.name}, with the number 0x{port.id:02X}"
-                yield f"{file.place(entry)}: {said}; the file is kept"
+                contradictions[port.name] = f"{file.place(entry)}: {said}; the file is kept"
     lines = [_port(port) for port in new]
     if node is not None:
         for line in lines:
@@ -308,6 +310,7 @@ def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Iterat
         file.add_key(file.root, ["ports:", *(f"  - {line}" for line in lines)], f"ports: [{', '.join(lines)}]")
     if lines:
         expected.setdefault("ports", []).extend(_plain(line, file.path) for line in lines)
+    return contradictions
 
 
 def _is_port(node: Any, port: ToldPort) -> bool:

@@ -42,6 +42,11 @@ class ToldPort:
     receives: tuple[str, ...] | None
     sends: tuple[str, ...] | None
 
+    @property
+    def virtual(self) -> bool:
+        """Is it USB, or perhaps USB? It has a baud rate in name only."""
+        return self.name.split()[0] in ("USB", "Main")
+
 
 @dataclass(frozen=True)
 class Listing:

@@ -42,10 +42,10 @@ def run(options: argparse.Namespace) -> int:
         told = ask(link, options.port)
     facts = device_file.Facts(device_file.model(told), told, date.today().isoformat())
     path = folder / "devices" / f"{facts.model.id}.yaml"
-    contradictions = list(facts.contradictions())
+    contradictions = facts.contradictions()
     if path.exists():
         text, more = device_file.merged(facts, path)
-        contradictions += more
+        contradictions |= more
         changed = text != path.read_bytes().decode("utf-8")
     else:
         text, changed = device_file.new(facts, folder), True
@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
         sys.stdout.write(text)
     elif changed:
         _write(path, text)
-    for said in contradictions:
+    for said in contradictions.values():
         print(f"mip profile: {said}", file=sys.stderr)
     if not options.dry_run:
         fields, undefined = (sum(map(len, x.values())) for x in (facts.fields(), facts.undefined()))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable
 from pathlib import Path
@@ -80,9 +81,9 @@ class YamlFile:
             indent = before[0] if before else ""
             self._edit(line, line, "".join(f"{indent}{c}{self.newline}" for c in comments))
 
-    def source(self, node: Any) -> str:
-        """The text of a node as it stands."""
-        return self.text[node.start_mark.index : self.end(node)]
+    def source(self, first: Any, last: Any) -> str:
+        """The text from one node to another as it stands."""
+        return self.text[first.start_mark.index : self.end(last)]
 
     def changed(self) -> str:
         """The text with all changes."""
@@ -121,9 +122,7 @@ class YamlFile:
     def _comments(self, node: Any) -> list[str]:
         """The comments within a node, up to the end of its last line if they are within its range."""
         spans = [(leaf.start_mark.index, self.end(leaf)) for leaf in _leaves(node)]
-        rest = "".join(
-            self.text[before:start] for (_, before), (start, _) in zip(spans, spans[1:], strict=False)
-        )
+        rest = "".join(self.text[before:start] for (_, before), (start, _) in zip(spans, spans[1:], strict=False))
         return [c.rstrip() for c in re.findall(r"(?<!\S)#.*", rest)]
 
 
@@ -186,12 +185,14 @@ def word(text: str) -> str:
     >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
     ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')
     """
-    import json
-
     usual = re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ./()+_'-]*(, [A-Za-z0-9 ./()+_'-]+)*[.)]?", text)
     number = re.fullmatch(r"[-+.0-9][0-9_.eExXA-Fa-f+-]*", text) and not re.fullmatch(r"\d+\.\d+\.\d+", text)
     bare = text.lower() in ("true", "false", "null", "yes", "no", "on", "off", "y", "n", "~")
-    return text if usual and not number and not bare and text == text.strip() else json.dumps(text, ensure_ascii=False)
+    return text if usual and not number and not bare and text == text.strip() else quoted(text)
+
+
+def quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
 
 
 def listed(name: str, words: Iterable[str]) -> list[str]:
@@ -210,4 +211,4 @@ def listed(name: str, words: Iterable[str]) -> list[str]:
     return lines
 
 
-__all__ = ["YamlFile", "child", "listed", "parsed", "plain", "word"]
+__all__ = ["YamlFile", "child", "listed", "parsed", "plain", "quoted", "word"]
