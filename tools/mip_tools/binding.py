@@ -141,8 +141,17 @@ if TYPE_CHECKING:
     from mip_protocol.device import Device as DeviceAtPort
     from mip_protocol.device import open_port
     from mip_protocol.devices import DEVICES, identify, model_number
-    from mip_protocol.errors import DecodeError, EncodeError, MipError, MissingExtra
-    from mip_protocol.errors import NoAnswer, PacketError, PortClosed, Refused, UnknownName
+    from mip_protocol.errors import (
+        DecodeError,
+        EncodeError,
+        MipError,
+        MissingExtra,
+        NoAnswer,
+        PacketError,
+        PortClosed,
+        Refused,
+        UnknownName,
+    )
     from mip_protocol.field import Command, Data, Field, Response, Structure, chosen
     from mip_protocol.info import EnumInfo
     from mip_protocol.lookup import device_id

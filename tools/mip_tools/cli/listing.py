@@ -183,7 +183,8 @@ class _Questions:
 
 def _names(protocols: Any) -> tuple[str, ...]:
     """The names of protocols, in the order of their bits; a bit without a name by its number."""
-    bits: list[Any] = list(type(protocols))
+    kind: Any = type(protocols)
+    bits = list(kind)
     named = [str(bit.name) for bit in bits if bit in protocols]
     rest = int(protocols) & ~sum(int(bit) for bit in bits)
     return tuple(named) + tuple(f"0x{1 << i:08X}" for i in range(32) if rest >> i & 1)
