@@ -394,7 +394,7 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
         told(device)
     assert idle == [True, True] and not device.idle and device.busy
     device.known -= {(0x01, 0x04)}
-    with pytest.raises(Failure, match="the device refused base.get_device_descriptors: unknown_command") as caught:
+    with pytest.raises(Failure, match=r"the device refused base\.get_device_descriptors: unknown_command") as caught:
         told(device)
     assert caught.value.status == 3 and not device.idle and device.busy
 
@@ -504,7 +504,8 @@ for id in sys.argv[2:]:
     device = VirtualDevice(certain(devices.DEVICES[id]))
     with Device(LivePort(device, speed=50)) as link:
         told = listing.ask(link, "PORT")
-    print(id, sorted(told.descriptors), sorted(told.base_rates.items()), sorted(told.ports, key=lambda p: p.id), sep="|")
+    ports = sorted(told.ports, key=lambda port: port.id)
+    print(id, sorted(told.descriptors), sorted(told.base_rates.items()), ports, sep="|")
 """
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -122,7 +123,7 @@ class YamlFile:
     def _comments(self, node: Any) -> list[str]:
         """The comments within a node, up to the end of its last line if they are within its range."""
         spans = [(leaf.start_mark.index, self.end(leaf)) for leaf in _leaves(node)]
-        rest = "".join(self.text[before:start] for (_, before), (start, _) in zip(spans, spans[1:], strict=False))
+        rest = "".join(self.text[before:start] for (_, before), (start, _) in pairwise(spans))
         return [c.rstrip() for c in re.findall(r"(?<!\S)#.*", rest)]
 
 
