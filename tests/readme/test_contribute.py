@@ -77,7 +77,7 @@ def test_two_commands(device: str, project: Path) -> None:
     first, last = shown.split("      # … and so on for each set\n")
     written = re.sub(r"date: \S+", "date: 2026-01-31", written)
     assert written.startswith(first) and written.endswith(last)
-    assert "; 41 devices" in run(validate, project).replace(" responses", "")
+    assert re.search(r"; \d+ devices, ", run(validate, project))
     for command in commands("Send it"):
         run(command, project)
     listed = subprocess.run(["git", "ls-files"], cwd=project, capture_output=True, text=True, check=True).stdout

@@ -393,10 +393,24 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(KeyboardInterrupt):
         told(device)
     assert idle == [True, True] and not device.idle and device.busy
-    device.known -= {(0x01, 0x04)}
+    device.known -= {(0x01, 0x04), (0x01, 0x06)}
+    said: list[str] = []
+    with pytest.raises(Failure), Device(LivePort(device, speed=50)) as link:
+        listing.ask(link, "PORT", said.append)
+    assert said == ["PORT did not acknowledge base.resume, so it may be idle; send it again"] and device.idle
+    device.known |= {(0x01, 0x06)}
     with pytest.raises(Failure, match=r"the device refused base\.get_device_descriptors: unknown_command") as caught:
         told(device)
     assert caught.value.status == 3 and not device.idle and device.busy
+
+
+def test_a_device_that_cannot_be_idle_streams_on() -> None:
+    device = streaming()
+    device.known -= {(0x01, 0x02), (0x01, 0x06)}
+    said: list[str] = []
+    with Device(LivePort(device)) as link:
+        assert len(listing.ask(link, "PORT", said.append).descriptors) == len(device.known)
+    assert not said and device.busy
 
 
 @pytest.fixture(scope="module")
@@ -423,6 +437,13 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
     assert (code, out) == (1, "")
     assert error == f"mip profile: {path} exists, and to add to it, pyyaml is missing; pip install pyyaml\n"
+
+
+def test_a_terminal(tmp_path: Path) -> None:
+    with running("simulate", "3dm-mv5-ar", "--pty", tmp_path / "terminal") as process:
+        assert process.stdout is not None and process.stdout.readline()
+        code, out, error = mip("profile", tmp_path / "terminal", "--dry-run", "--baud", "auto")
+    assert (code, error) == (0, "") and out.startswith("extend: 3dm-mv5-ar\n") and out.endswith(BLOCK[-32:])
 
 
 def test_contradictions_are_said(place: str, tmp_path: Path) -> None:

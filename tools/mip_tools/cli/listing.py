@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -68,30 +68,33 @@ class Listing:
         return f"{number // 1000}.{number // 100 % 10}.{number % 100:02}"
 
 
-def ask(link: DeviceAtPort, name: str) -> Listing:
+def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Listing:
     """Asks a device while it is idle, and resumes its streams, also after an error or an interrupt.
 
-    `name` is that of the port, for messages. Raises Failure.
+    `name` is that of the port, for messages; `complain` gets one if the streams could not be resumed. Raises Failure.
     """
     questions = _Questions(link, name)
     questions.greet()
-    with _idle(questions):
+    with _idle(questions, complain):
         return questions.listing()
 
 
 @contextmanager
-def _idle(questions: _Questions) -> Iterator[None]:
+def _idle(questions: _Questions, complain: Callable[[str], None]) -> Iterator[None]:
+    resumes = True
     try:
-        questions.optional("base.set_idle")  # a device that has no such command streams on, which is no harm
+        # A device that refuses it streams on, which does no harm. One that does not answer may be idle.
+        resumes = questions.carried_out("base.set_idle") is not False
         yield
     finally:
-        questions.optional("base.resume")
+        if resumes and not questions.carried_out("base.resume"):
+            complain(f"{questions.name} did not acknowledge base.resume, so it may be idle; send it again")
 
 
 class _Questions:
     def __init__(self, link: DeviceAtPort, name: str) -> None:
         self._link = link
-        self._name = name
+        self.name = name
         self._listed: frozenset[Key] = frozenset()
 
     def greet(self) -> None:
@@ -101,10 +104,20 @@ class _Questions:
         except Refused:
             pass
         except NoAnswer:
-            said = f"{self._name} did not answer base.ping; check the port and --baud"
+            said = f"{self.name} did not answer base.ping; check the port and --baud"
             raise Failure(said, SILENT) from None
         except MipError as error:
-            raise Failure(f"{self._name}: {error}") from None
+            raise Failure(f"{self.name}: {error}") from None
+
+    def carried_out(self, command: str) -> bool | None:
+        """Did the device do it? None if it has not answered."""
+        try:
+            self._link.request(_type(command)())
+        except Refused:
+            return False
+        except MipError:
+            return None
+        return True
 
     def listing(self) -> Listing:
         identity = self._needed("base.get_device_info").device_info
@@ -124,9 +137,9 @@ class _Questions:
             code = f"{error.code.name.lower()} ({int(error.code)})"
             raise Failure(f"the device refused {command}: {code}; it cannot be asked what it has", REFUSED) from None
         except NoAnswer:
-            raise Failure(f"{self._name} did not answer {command}; try again", SILENT) from None
+            raise Failure(f"{self.name} did not answer {command}; try again", SILENT) from None
         except MipError as error:
-            raise Failure(f"{self._name}: {error}") from None
+            raise Failure(f"{self.name}: {error}") from None
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
         """The response to a command that the device may lack; None if there is none."""
@@ -136,7 +149,7 @@ class _Questions:
         try:
             return self._link.request(getattr(kind, function)(*values) if function else kind(*values))
         except PortClosed as error:
-            raise Failure(f"{self._name}: {error}") from None
+            raise Failure(f"{self.name}: {error}") from None
         except MipError:
             return None
 

@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     if not folder.is_dir():
         raise Failure(f"{folder} is not a folder; create it, or name another one with --spec")
     with signals.handled(signals.interrupt), ports.opened(options.port, options) as link:
-        told = ask(link, options.port)
+        told = ask(link, options.port, _complain)
     facts = device_file.Facts(device_file.model(told), told, date.today().isoformat())
     path = folder / "devices" / f"{facts.model.id}.yaml"
     contradictions = facts.contradictions()
@@ -54,12 +54,16 @@ def run(options: argparse.Namespace) -> int:
     elif changed:
         _write(path, text)
     for said in contradictions.values():
-        print(f"mip profile: {said}", file=sys.stderr)
+        _complain(said)
     if not options.dry_run:
         fields, undefined = (sum(map(len, x.values())) for x in (facts.fields(), facts.undefined()))
         what = f"{fields} commands and data fields, {undefined} undefined descriptors"
         print(f"{path}: {facts.model.title}, firmware {told.firmware}: {what if changed else 'nothing new'}")
     return 0
+
+
+def _complain(text: str) -> None:
+    print(f"mip profile: {text}", file=sys.stderr)
 
 
 def _write(path: Path, text: str) -> None:
