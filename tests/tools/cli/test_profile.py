@@ -23,6 +23,8 @@ from mip_protocol import profile as profiles
 from mip_tools.cli import device_file, listing
 from mip_tools.errors import Failure
 from mip_tools.simulator import LivePort, VirtualDevice
+from mip_tools.simulator.fault_kinds import parse_faults
+from mip_tools.simulator.faults import Faults
 from mipgen import model as m
 from mipgen.resolve.load import load_model
 from program import ENVIRONMENT, PATIENCE, command, mip, running
@@ -101,7 +103,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     assert not made.probable and made.incomplete and made.model_number == 6999
     assert [e.undefined for e in made.evidence] == [((0x3F, 0x01), (0x3F, 0x02), (0x80, 0x7E))]
     assert made.ports == ()  # it has no command that tells the protocols
-    assert made.evidence[0].note == "UART 1 was set to 115200 Bd."
+    assert made.evidence[0].note == "Main was set to 115200 Bd."
 
 
 def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
@@ -386,7 +388,7 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     told(device)
     assert idle == [True] and not device.idle and device.busy
 
-    def interrupted(self: Any) -> Any:
+    def interrupted(self: Any, profile: Any) -> Any:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(listing._Questions, "_ports", interrupted)
@@ -402,6 +404,16 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(Failure, match=r"the device refused base\.get_device_descriptors: unknown_command") as caught:
         told(device)
     assert caught.value.status == 3 and not device.idle and device.busy
+
+
+def test_an_answer_that_is_missing_is_said() -> None:
+    device = VirtualDevice("3dm-gx5-15", faults=Faults(plans=parse_faults("lose_answer@6")))
+    said: list[str] = []
+    with Device(LivePort(device, speed=50), timeout=0.2) as link:
+        it = listing.ask(link, "PORT", said.append)
+    missing = "3dm.get_imu_base_rate"
+    assert said == [f"the device has not answered {missing} in time; what {missing} tells is left out"]
+    assert it.base_rates == {0x82: 500} and len(it.descriptors) == len(device.known)
 
 
 def test_a_device_that_cannot_be_idle_streams_on() -> None:

@@ -111,7 +111,7 @@ class Facts:
         for port in self.told.ports:
             if port.id in written:
                 said.append(f"{port.name} is given with the settings that it had.")
-            elif port.baud is not None and port.baud not in known.get(port.id, ()) and not port.virtual:
+            elif port.baud is not None and port.baud not in known.get(port.id, ()) and not (profile and port.virtual):
                 said.append(f"{port.name} was set to {port.baud} Bd.")
         shared = {set for set, d in self.told.descriptors if (k := types(set, d)) and k[0].NAME.startswith("shared.")}
         data = {set for set, _ in self.told.descriptors if 0x80 <= set < SHARED}

@@ -7,11 +7,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from ..binding import MipError, NoAnswer, PortClosed, Refused, UnknownName, info, lookup
+from ..binding import MipError, NoAnswer, PortClosed, Refused, UnknownName, identify, info, lookup
 from ..errors import Failure
 
 if TYPE_CHECKING:
-    from ..binding import DeviceAtPort
+    from ..binding import Device, DeviceAtPort
 
 REFUSED, SILENT = 3, 4
 
@@ -71,16 +71,17 @@ class Listing:
 def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Listing:
     """Asks a device while it is idle, and resumes its streams, also after an error or an interrupt.
 
-    `name` is that of the port, for messages; `complain` gets one if the streams could not be resumed. Raises Failure.
+    `name` is that of the port, for messages; `complain` gets one for each answer that is missing, without which there
+    is a listing all the same, and if the streams could not be resumed. Raises Failure.
     """
-    questions = _Questions(link, name)
+    questions = _Questions(link, name, complain)
     questions.greet()
-    with _idle(questions, complain):
+    with _idle(questions):
         return questions.listing()
 
 
 @contextmanager
-def _idle(questions: _Questions, complain: Callable[[str], None]) -> Iterator[None]:
+def _idle(questions: _Questions) -> Iterator[None]:
     resumes = True
     try:
         # A device that refuses it streams on, which does no harm. One that does not answer may be idle.
@@ -88,13 +89,14 @@ def _idle(questions: _Questions, complain: Callable[[str], None]) -> Iterator[No
         yield
     finally:
         if resumes and not questions.carried_out("base.resume"):
-            complain(f"{questions.name} did not acknowledge base.resume, so it may be idle; send it again")
+            questions.complain(f"{questions.name} did not acknowledge base.resume, so it may be idle; send it again")
 
 
 class _Questions:
-    def __init__(self, link: DeviceAtPort, name: str) -> None:
+    def __init__(self, link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> None:
         self._link = link
         self.name = name
+        self.complain = complain
         self._listed: frozenset[Key] = frozenset()
 
     def greet(self) -> None:
@@ -127,7 +129,7 @@ class _Questions:
             numbers += self._needed(EXTENDED).descriptors
         keys = tuple(sorted({divmod(number, 0x100) for number in numbers}))
         self._listed = frozenset(keys)
-        return Listing(identity, keys, dict(self._rates()), tuple(self._ports()))
+        return Listing(identity, keys, dict(self._rates()), tuple(self._ports(identify(identity))))
 
     def _needed(self, command: str) -> Any:
         """The response to a command without which there is no profile."""
@@ -142,7 +144,7 @@ class _Questions:
             raise Failure(f"{self.name}: {error}") from None
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
-        """The response to a command that the device may lack; None if there is none."""
+        """The response to a command that the device lists; None if there is none, as for a port that it has not."""
         kind = _known(command)
         if kind is None:
             return None
@@ -150,7 +152,10 @@ class _Questions:
             return self._link.request(getattr(kind, function)(*values) if function else kind(*values))
         except PortClosed as error:
             raise Failure(f"{self.name}: {error}") from None
-        except MipError:
+        except Refused:
+            return None
+        except MipError as error:
+            self.complain(f"{error}; what {command} tells is left out")
             return None
 
     def _lists(self, command: str) -> bool:
@@ -173,25 +178,33 @@ class _Questions:
 
     # ----------------------------------------------------------------- ports
 
-    def _ports(self) -> Iterator[ToldPort]:
+    def _ports(self, profile: Device | None) -> Iterator[ToldPort]:
+        """The ports whose numbers the specification knows, of all devices and of this one."""
         speed, protocols = self._lists(SPEED), self._lists(PROTOCOLS)
         if not (speed or protocols) or _known(PROTOCOLS) is None:
             return
         numbers = _type(PROTOCOLS).INFO["port"].type
-        for value in info(numbers).values:
-            if value.name == _ALL:
-                continue
-            port = numbers(value.value)
-            rate = self.optional(SPEED, int(port), function="read") if speed else None
-            ways = self.optional(PROTOCOLS, port, function="read") if protocols else None
+        names = {value.value: _port_name(value.name) for value in info(numbers).values if value.name != _ALL}
+        names |= {port.id: port.name for port in (profile.ports if profile else ()) if port.id is not None}
+        for number, name in sorted(names.items()):
+            rate = self.optional(SPEED, number, function="read") if speed else None
+            ways = self.optional(PROTOCOLS, numbers(number), function="read") if protocols else None
             if rate is not None or ways is not None:
                 yield ToldPort(
-                    int(port),
-                    " ".join(_WORDS.get(word, word.capitalize()) for word in value.name.split("_")),
+                    number,
+                    name,
                     rate.baud if rate is not None and rate.baud else None,
                     _names(ways.protocols_incoming) if ways is not None else None,
                     _names(ways.protocols_outgoing) if ways is not None else None,
                 )
+
+
+def _port_name(value: str) -> str:
+    """
+    >>> _port_name("uart_1"), _port_name("main")
+    ('UART 1', 'Main')
+    """
+    return " ".join(_WORDS.get(word, word.capitalize()) for word in value.split("_"))
 
 
 def _names(protocols: Any) -> tuple[str, ...]:
