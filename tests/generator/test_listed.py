@@ -89,6 +89,13 @@ def test_another_firmware_lists_again(tmp_path: Path) -> None:
     assert [e.undefined for e in cousin.evidence if e.firmware == "1.0.02"] == [((0x01, 0x6E),)]  # not lost
 
 
+@pytest.mark.parametrize("order", [("listed", "software"), ("software", "listed"), ("refused", "listed")])
+def test_the_order_does_not_matter(tmp_path: Path, order: tuple[str, str]) -> None:
+    more = "".join(f"  - {{kind: {kind}, fields: {{measurements: [accel]}}}}\n" for kind in order)
+    text = OWN.format(rate=100, port=PORT).replace("supports: {measurements: [accel]}\n", f"evidence:\n{more}")
+    assert kinds(both(tmp_path, text, "also: [P]\n")) == {"measurements.accel": "listed"}
+
+
 @pytest.mark.parametrize(
     ("text", "remedy"),
     [

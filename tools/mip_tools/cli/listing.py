@@ -155,7 +155,7 @@ class _Questions:
         except Refused:
             return None
         except MipError as error:
-            self.complain(f"{error}; what {command} tells is left out")
+            self.complain(f"{error.detail}; what {command} tells is left out")
             return None
 
     def _lists(self, command: str) -> bool:
