@@ -677,6 +677,8 @@ types:
             5: mip_3dm_device_status_diagnostic_rq1_45_response
             6: mip_3dm_device_status_diagnostic_gx4_response
             7: mip_3dm_device_status_diagnostic_imu_response
+            8: mip_3dm_device_status_basic_gx3_response
+            9: mip_3dm_device_status_diagnostic_gx3_response
     instances:
       byte_2:
         pos: 2
@@ -698,8 +700,12 @@ types:
         value: (_io.size <= 2 or byte_2 == 0x02)
       fits_7:
         value: (_io.size <= 2 or byte_2 == 0x02)
+      fits_8:
+        value: (_io.size <= 2 or byte_2 == 0x01)
+      fits_9:
+        value: (_io.size <= 2 or byte_2 == 0x02)
       number:
-        value: "fits_5 and _io.size >= 86 ? 5 : fits_4 and _io.size >= 80 ? 4 : fits_3 and _io.size >= 77 ? 3 : fits_6 and _io.size >= 73 ? 6 : fits_7 and _io.size >= 60 ? 7 : fits_2 and _io.size >= 51 ? 2 : fits_0 and _io.size >= 13 ? 0 : fits_1 and _io.size >= 11 ? 1 : fits_1 ? 1 : fits_0 ? 0 : fits_2 ? 2 : fits_7 ? 7 : fits_6 ? 6 : fits_3 ? 3 : fits_4 ? 4 : fits_5 ? 5 : -1"
+        value: "fits_9 and _io.size >= 105 ? 9 : fits_5 and _io.size >= 86 ? 5 : fits_4 and _io.size >= 80 ? 4 : fits_3 and _io.size >= 77 ? 3 : fits_6 and _io.size >= 73 ? 6 : fits_7 and _io.size >= 60 ? 7 : fits_2 and _io.size >= 51 ? 2 : fits_8 and _io.size >= 15 ? 8 : fits_0 and _io.size >= 13 ? 0 : fits_1 and _io.size >= 11 ? 1 : fits_1 ? 1 : fits_0 ? 0 : fits_8 ? 8 : fits_2 ? 2 : fits_7 ? 7 : fits_6 ? 6 : fits_3 ? 3 : fits_4 ? 4 : fits_5 ? 5 : fits_9 ? 9 : -1"
   sensor_pps_timestamp_layouts:
     -kind: layouts
     doc: The layout of the data, chosen by its constants and its size.
@@ -4825,6 +4831,133 @@ types:
       - id: comm_port_read_overruns
         type: u4
         doc: "Overruns while reading from the port. Unit: 1."
+  mip_3dm_device_status_basic_gx3_response:
+    -orig-id: 3dm.device_status_basic_gx3_response
+    doc: Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port.
+    seq:
+      - id: model_number
+        type: u2
+        doc: Model number of the device.
+      - id: status_selector
+        type: u1
+        valid: 1
+        doc: Basic status.
+      - id: comm_mode
+        type: u1
+        doc: Part of the device that the port talks to.
+      - id: comm_device
+        type: u1
+        doc: Port in use.
+      - id: settings_flags
+        type: u4
+        doc: Flags of the settings.
+      - id: comm_state
+        type: u2
+        doc: State of the port.
+      - id: comm_baud_rate
+        type: u4
+        doc: "Baud rate of the port. Unit: Bd."
+  mip_3dm_device_status_diagnostic_gx3_response:
+    -orig-id: 3dm.device_status_diagnostic_gx3_response
+    doc: Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port with the counters of port, USB, receiver and IMU.
+    seq:
+      - id: model_number
+        type: u2
+        doc: Model number of the device.
+      - id: status_selector
+        type: u1
+        valid: 2
+        doc: Diagnostic status.
+      - id: comm_mode
+        type: u1
+        doc: Part of the device that the port talks to.
+      - id: comm_device
+        type: u1
+        doc: Port in use.
+      - id: settings_flags
+        type: u4
+        doc: Flags of the settings.
+      - id: comm_state
+        type: u2
+        doc: State of the port.
+      - id: comm_baud_rate
+        type: u4
+        doc: "Baud rate of the port. Unit: Bd."
+      - id: comm_port_bytes_written
+        type: u4
+        doc: "Bytes written to the port. Unit: byte."
+      - id: comm_port_bytes_read
+        type: u4
+        doc: "Bytes read from the port. Unit: byte."
+      - id: comm_port_write_overruns
+        type: u4
+        doc: "Overruns while writing to the port. Unit: 1."
+      - id: comm_port_read_overruns
+        type: u4
+        doc: "Overruns while reading from the port. Unit: 1."
+      - id: usb_state
+        type: u2
+        doc: State of USB.
+      - id: usb_bytes_written
+        type: u4
+        doc: "Bytes written to USB. Unit: byte."
+      - id: usb_bytes_read
+        type: u4
+        doc: "Bytes read from USB. Unit: byte."
+      - id: usb_write_overruns
+        type: u4
+        doc: "Overruns while writing to USB. Unit: 1."
+      - id: usb_read_overruns
+        type: u4
+        doc: "Overruns while reading from USB. Unit: 1."
+      - id: gnss_driver_state
+        type: u2
+        doc: State of the driver of the receiver.
+      - id: gnss_port_state
+        type: u2
+        doc: State of the port of the receiver.
+      - id: gnss_bytes_written
+        type: u4
+        doc: "Bytes written to the receiver. Unit: byte."
+      - id: gnss_bytes_read
+        type: u4
+        doc: "Bytes read from the receiver. Unit: byte."
+      - id: gnss_write_overruns
+        type: u4
+        doc: "Overruns while writing to the receiver. Unit: 1."
+      - id: gnss_read_overruns
+        type: u4
+        doc: "Overruns while reading from the receiver. Unit: 1."
+      - id: gnss_message_count
+        type: u4
+        doc: "Messages of the receiver. Unit: 1."
+      - id: gnss_delayed_message_count
+        type: u4
+        doc: "Messages of the receiver that came late. Unit: 1."
+      - id: imu_driver_state
+        type: u2
+        doc: State of the driver of the IMU.
+      - id: imu_port_state
+        type: u2
+        doc: State of the port of the IMU.
+      - id: imu_bytes_written
+        type: u4
+        doc: "Bytes written to the IMU. Unit: byte."
+      - id: imu_bytes_read
+        type: u4
+        doc: "Bytes read from the IMU. Unit: byte."
+      - id: imu_write_overruns
+        type: u4
+        doc: "Overruns while writing to the IMU. Unit: 1."
+      - id: imu_read_overruns
+        type: u4
+        doc: "Overruns while reading from the IMU. Unit: 1."
+      - id: imu_message_count
+        type: u4
+        doc: "Messages of the IMU. Unit: 1."
+      - id: imu_delayed_message_count
+        type: u4
+        doc: "Messages of the IMU that came late. Unit: 1."
   mip_3dm_gps_dynamics_mode_response:
     -orig-id: 3dm.gps_dynamics_mode_response
     doc: "GPS dynamics mode response. "

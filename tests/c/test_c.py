@@ -14,6 +14,7 @@ import pytest
 from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include, run, sources
 from mipgen import cli
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets.c import direct, literals, members, names
@@ -457,7 +458,7 @@ def parameter_checks(record: m.Field | m.Struct, table: str) -> Iterator[str]:
             yield from parameter_checks(p.element, f"{at}.record")
 
 
-def device_checks(d: m.Device) -> Iterator[str]:
+def device_checks(d: m.Device, of: m.Model) -> Iterator[str]:
     name = f"mip_profile_{d.name}"
     yield f'CHECK(mip_profile_find("{d.id}") == &{name} && {name}.model_number == {d.model_number or 0});'
     yield f"CHECK({name}.field_count == {len(d.supports)} && {name}.rate_count == {len(d.base_rates)});"
@@ -469,12 +470,13 @@ def device_checks(d: m.Device) -> Iterator[str]:
     yield f"CHECK({name}.also_count == {len(d.also)} && {name}.incomplete_count == {len(d.incomplete)});"
     for i, text in enumerate(d.incomplete):
         yield f"CHECK(strcmp({name}.incomplete[{i}], {literals.string(text)}) == 0);"
-    for s in d.supports:
-        found = f"mip_profile_may_support(&{name}, {s.set}, {s.field.descriptor})"
-        certain = f"mip_profile_supports(&{name}, {s.set}, {s.field.descriptor})"
-        yield f"CHECK({certain} == {'NULL' if s.evidence else found});"
-        evidence = f"strcmp({found}->evidence, {literals.string(s.evidence)})" if s.evidence else f"{found}->evidence"
-        yield f"CHECK({evidence} == {'0' if s.evidence else 'NULL'});"
+    yield f"CHECK({name}.refused_count == {len(d.refuses)});"
+    for s in (*d.supports, *d.refuses):
+        found = f"mip_profile_find_field(&{name}, {s.set}, {s.field.descriptor})"
+        answer = f"MIP_SUPPORT_{s.evidence.answer.upper()}"
+        yield f"CHECK(mip_profile_support(&{name}, {s.set}, {s.field.descriptor}) == {answer});"
+        why = literals.string(describe.why(s.evidence, of))
+        yield f"CHECK({found}->evidence->answer == {answer} && strcmp({found}->evidence->why, {why}) == 0);"
         yield f'CHECK(strcmp({found}->functions, "{m.letters(s.functions)}") == 0);'
     for r in d.base_rates:
         yield f"CHECK(!(mip_profile_base_rate(&{name}, {r.set.number}) < {r.hertz}));"
@@ -507,7 +509,7 @@ def test_every_row_of_the_tables(spec: str, tmp_path: Path) -> None:
         checks.append(f"CHECK({entry}->link_count == {len(links)});")
         for i, other in enumerate(links):
             checks.append(f"CHECK(mip_registry_link({entry}, {i})->codec == &{names.field_name(other)}_codec);")
-    checks += [check for d in of.devices for check in device_checks(d)]
+    checks += [check for d in of.devices for check in device_checks(d, of)]
     run(build(tmp_path, "gcc", spec, written(tmp_path / "tables.c", of, checks)))
 
 

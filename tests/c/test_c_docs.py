@@ -104,7 +104,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        facts = [x for x in describe.field(f, of) if x.topic != "perhaps"]  # those are in profiles.h
+        facts = [x for x in describe.field(f, of) if x.topic not in ("perhaps", "refused")]  # those are in profiles.h
         yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
         if of.devices_of(f, certain=False) and not of.devices_of(f):
             yield name, [UNSURE]

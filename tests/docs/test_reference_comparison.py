@@ -34,11 +34,13 @@ def matrix(manual: Manual, page: str, title: str) -> dict[str, dict[str, str]]:
 
 
 def expected(d: m.Device, f: m.Field, number: int) -> str:
-    s = next((s for s in d.supports if s.field == f and s.set == number), None)
+    s = next((s for s in (*d.supports, *d.refuses) if s.field == f and s.set == number), None)
     if s is None:
         return missing(d)
-    said = letters(s.functions) or ("" if s.evidence else "yes")
-    return f"{'perhaps ' if s.evidence else ''}{said}".strip() + (", deprecated" if s.deprecated else "")
+    if s in d.refuses:
+        return "no"
+    said = letters(s.functions) or ("yes" if s.certain else "")
+    return f"{'' if s.certain else 'probable '}{said}".strip() + (", deprecated" if s.deprecated else "")
 
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
@@ -67,8 +69,11 @@ def test_what_other_devices_may_support(manual: Manual, page: str, role: str) ->
     assert bool(rows) == any(wanted.values())
     for d in others if rows else ():
         assert words(rows[d.id]["Generation"]) == str(d.generation or "?")
-        assert FIELD.findall(rows[d.id]["Perhaps"]) == wanted[d.id]
-        assert wanted[d.id] or rows[d.id]["Perhaps"] == "?"
+        assert FIELD.findall(rows[d.id]["Probable"]) == wanted[d.id]
+        assert wanted[d.id] or rows[d.id]["Probable"] == "?"
+        assert FIELD.findall(rows[d.id].get("Refused", "")) == [
+            s.field.full_name for s in d.refuses if s.field.role == role
+        ]
 
 
 def test_what_is_not_known_is_not_denied() -> None:
@@ -102,7 +107,7 @@ def test_overview(manual: Manual) -> None:
             assert said["Known"] == known and said.get("Also called", "") == ", ".join(d.also)
             assert said.get("Model number", "") == str(d.model_number or "")
             counts = [roles.count(m.COMMAND), roles.count(m.DATA), len(d.supports) - len(roles)]
-            assert [int(said[key]) for key in ("Commands", "Data fields", "Perhaps")] == counts
+            assert [int(said[key]) for key in ("Commands", "Data fields", "Probable")] == counts
             assert said["Acknowledge codes"] == (", ".join(map(str, d.ack_codes)) or "?")
             found.append(d.id)
     assert sorted(found) == sorted(d.id for d in manual.model.devices)
@@ -131,7 +136,8 @@ def test_ports(manual: Manual) -> None:
         for name, row in ports.items():
             p = own.get(name)
             number_ = f"0x{p.id:02X}: " if p and p.id is not None else ""
-            assert row[d.id] == (number_ + (", ".join(p.protocols) or "?") if p else absent)
+            only = [f"{x} (receives only)" for x in (p.receives if p else ()) if p and x not in p.sends]
+            assert row[d.id] == (number_ + (", ".join([*p.sends, *only]) or "?") if p else absent)
         for baud, row in bauds.items():
             assert row[d.id] == (", ".join(p.name for p in d.ports if int(baud) in p.baud_rates) or absent)
 

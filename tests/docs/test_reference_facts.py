@@ -112,7 +112,7 @@ def test_sets_of_a_field(manual: Manual) -> None:
             assert s is not None and words(row["Set"]) == heading(s) and f"(../../sets/{s.name}.md)" in row["Set"]
             assert words(row["Name"]) == f"{s.name}.{f.name}"
             devices = [d.title for d in of.devices_of(f, number=o.set)]
-            devices += [f"perhaps {d.title}" for d in of.devices_of(f, certain=False, number=o.set)]
+            devices += [f"probably {d.title}" for d in of.devices_of(f, certain=False, number=o.set)]
             assert words(row.get("Devices", "")) == ", ".join(devices)
             said = words(row["In the manuals"])
             assert all(f"{c.manual}: {c.section}" in said for c in o.sources)

@@ -160,9 +160,9 @@ def test_a_device_known_by_name_gets_a_column(page: browser.Page, site: Path) ->
         " [row.querySelector('a').getAttribute('href').split('#')[1],"
         " [...row.cells].filter((cell) => !cell.hidden).at(-1).textContent])))"
     )
-    perhaps = {s.field.full_name for s in of.supports}
-    assert not of.certain and perhaps
-    assert cells == {f.full_name: "perhaps" if f.full_name in perhaps else "?" for f in commands()}
+    said = {s.field.full_name: "probable" for s in of.supports} | {s.field.full_name: "no" for s in of.refuses}
+    assert not of.certain and {"probable", "no"} <= {said.get(f.full_name) for f in commands()}
+    assert cells == {f.full_name: said.get(f.full_name, "?") for f in commands()}
     open_(page, site, f"compare/rates.html?devices={of.id}")
     assert set(page.run(f"{ROWS}.map((row) => [...row.cells].filter((cell) => !cell.hidden).at(-1).textContent)")) == {
         "?"

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
+import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower import codec, extent
@@ -48,7 +50,8 @@ def test_contents(manual: Manual) -> None:
             assert [f"0x{s.number:02X}", s.title, str(len(asked(s, of))), prose(s.description, of)] in rows, s.name
         for d in of.devices:
             known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
-            row = [d.title, ", ".join(d.also), str(d.model_number or ""), known, prose(d.description, of)]
+            row = [d.title, ", ".join(d.also), str(d.model_number or ""), known, str(len(d.probable))]
+            row.append(prose(d.description, of))
             assert [cell for cell in row if cell] in [[cell for cell in found if cell] for found in rows], d.id
         for x in of.protocol.manuals:
             errata = sum(e.manual == x.id for e in of.errata)
@@ -305,7 +308,7 @@ def test_every_device_has_its_page(manual: Manual) -> None:
         assert (properties["Manual"] == "none is known") == (d.manual is None)
         assert properties.get("Sources", "") == "; ".join(describe.sources(d))
         for port in d.ports:
-            wanted = {port.name, ", ".join(map(str, port.baud_rates)), ", ".join(port.protocols)}
+            wanted = {port.name, ", ".join(map(str, port.baud_rates)), ", ".join(port.receives), ", ".join(port.sends)}
             wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
             assert any(wanted <= {*row, ""} for row in rows), port.name
         for limit in d.limits:
@@ -329,12 +332,19 @@ def test_what_a_device_supports(manual: Manual) -> None:
             assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 
-def test_what_a_device_may_support(manual: Manual) -> None:
+@pytest.mark.parametrize(
+    ("heading_", "wanted_of"),
+    [
+        ("Fields that it probably supports", lambda d: [s for s in d.supports if not s.certain]),
+        ("Fields that it does not have", lambda d: d.refuses),
+    ],
+)
+def test_what_a_device_probably_supports_or_refuses(
+    manual: Manual, heading_: str, wanted_of: Callable[[m.Device], list[m.Support]]
+) -> None:
     for d in manual.model.devices:
-        page = (
-            manual.page(f"devices/{d.id}.md").partition("\n## Fields that may be supported\n")[2].partition("\n## ")[0]
-        )
-        wanted = [s for s in d.supports if s.evidence]
+        page = manual.page(f"devices/{d.id}.md").partition(f"\n## {heading_}\n")[2].partition("\n## ")[0]
+        wanted = wanted_of(d)
         rows = [row for t in tables(page) for row in t]
         assert len(rows) == len(wanted)
         for s in wanted:
@@ -343,7 +353,8 @@ def test_what_a_device_may_support(manual: Manual) -> None:
             (line,) = [x for x in page.splitlines() if f"(../sets/{of.name}.md)" in x and f"#{s.field.full_name})" in x]
             assert words(cells(line)[0]) == heading(of)
             before = page[: page.index(line)].strip().split("\n\n")
-            assert prose(s.evidence or "", manual.model) == words(next(x for x in before[::-1] if x[0] != "|"))
+            why = words(next(x for x in before[::-1] if x[0] != "|"))
+            assert why == seen(describe.evidence(s.evidence, manual.model))
             assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 

@@ -50,7 +50,8 @@ def test_devices_that_send_a_response() -> None:
     """A device that takes no function that is answered by a response does not send it."""
     names = {"write", "apply"}
     settings, response = field(INVENTED, "tools.settings"), field(INVENTED, "tools.settings_response")
-    writes = m.Support(settings, settings.set, tuple(f for f in settings.functions if f.name in names))
+    some = tuple(f for f in settings.functions if f.name in names)
+    writes = m.Support(settings, settings.set, some, m.Evidence("documented"))
     devices = tuple(
         dataclasses.replace(d, supports=tuple(writes if s.field is settings else s for s in d.supports))
         if d.id == "model-b"

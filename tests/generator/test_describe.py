@@ -37,7 +37,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.ping",
             {
                 "devices": "Supported by <Model A>, <Model B>, <Model C> and <Old 1>.",
-                "perhaps": "May be supported by <Old 2>.",
+                "perhaps": "Probably supported by <Old 2>.",
             },
         ),
         (
@@ -46,6 +46,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "responses": "Answered by <tools.bias_vector>.",
                 "devices": A,
                 "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
+                "firmware": "On the <Model C>: firmware >= 1.0, < 1.1.",
             },
         ),
         (
@@ -88,6 +89,16 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "sets": "Occurs in <measurements (0x80)>, <more (0x81)> and <copy (0x92)>.",
                 "max_rate": "Maximum rate: 100 Hz.",
                 "devices": "Supported by <Model A>, <Model B> and <Model C>.",
+                "firmware": "On the <Model C>: firmware > 1.0.07.",
+            },
+        ),
+        (
+            "tools.choice",
+            {
+                "functions": "Functions: <write> and <read>.",
+                "responses": "Answered by <tools.choice_response>.",
+                "devices": "Supported by <Model A>.",
+                "refused": "Refused by <Model C>.",
             },
         ),
         (
@@ -127,7 +138,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             {
                 "also": "Also called `keep_alive_response` and `welcome`.",
                 "commands": "Answers <tools.hello>.",
-                "perhaps": "May be supported by <Model C>.",
+                "perhaps": "Probably supported by <Model C>.",
                 "evidence": "Known only from the <Kit of names>.",
                 "uncertain": "Uncertain: When it comes.",
             },
@@ -163,13 +174,36 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             },
         ),
         ("measurements.accel:valid_flags", {"variant": "On the <Model C>: only <ready> and <level>."}),
-        ("tools.status:selector", {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2."}),
+        (
+            "tools.status:selector",
+            {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2. Inferred: It has one layout."},
+        ),
         ("tools.status_short:flags", {"variant": "On the <Model B>: values of <model_b_faults>."}),
         ("tools.status_long:flags", {"variant": "On the <Model C>: the values are not known."}),
     ],
 )
 def test_facts(path: str, facts: dict[str, str]) -> None:
     assert of(path) == facts
+
+
+@pytest.mark.parametrize(
+    ("number", "why"),
+    [
+        (0, "Its documentation has it."),
+        (1, "The device lists it (firmware 1.0.07; 2026-11-23)."),
+        (2, "A list by others after its manual has it (Kit of names: Names). It names tools.hello."),
+        (3, "The device refuses it (firmware 1.2)."),
+    ],
+)
+def test_why_a_device_has_a_field(number: int, why: str) -> None:
+    c, old = INVENTED.device("model-c"), INVENTED.device("old-2")
+    assert c is not None and old is not None
+    assert describe.why(c.evidence[number], INVENTED) == why
+    assert plain(describe.evidence(old.evidence[0], INVENTED)) == (
+        "Devices of its generation have it, <Model A> and <Model B>."
+    )
+    assert describe.known(c) == "model-c: 24 certain, 2 probable, 1 refused"
+    assert describe.known(old) == "old-2: 2 probable; there may be more"
 
 
 def variants(path: str, own: m.Model = INVENTED) -> list[str]:

@@ -1,4 +1,4 @@
-"""Devices: what they inherit, what is not certain, and that a further one is one file."""
+"""Devices: the evidence for what they have, what they inherit, and that a further one is one file."""
 
 from __future__ import annotations
 
@@ -30,13 +30,33 @@ def names(d: m.Device) -> set[str]:
 def test_what_is_added_and_lacked() -> None:
     a, c = device("model-a"), device("model-c")
     assert names(a) - names(c) == {"tools.choice", "more.strings", "3d.default"}
-    assert names(c) - names(a) == {"measurements.radio", "tools.hello", "copy.accel"}
-    assert {s.name: s.evidence for s in c.supports if s.evidence} == dict.fromkeys(
-        ("tools.hello", "copy.accel"), "The sheet names it."
-    )
-    assert names(c) - {s.name for s in c.certain} == {"tools.hello", "copy.accel"}
+    assert names(c) - names(a) == {"measurements.radio", "tools.hello", "tools.poll", "copy.accel"}
+    assert {s.name: s.evidence.kind for s in c.supports if s.evidence.kind != "documented"} == {
+        "tools.hello": "transcribed", "copy.accel": "transcribed", "tools.poll": "listed"
+    }  # fmt: skip
+    assert {s.name for s in c.probable} == names(c) - {s.name for s in c.certain} == {"tools.hello", "copy.accel"}
     order = [(s.set, s.field.descriptor) for s in c.supports]
     assert order == sorted(order)
+
+
+def test_evidence() -> None:
+    """Strongest first; what a device refuses is apart from what it has."""
+    c = device("model-c")
+    assert [(e.kind, e.answer) for e in c.evidence] == [
+        ("documented", "yes"), ("listed", "yes"), ("transcribed", "probable"), ("refused", "no")
+    ]  # fmt: skip
+    listed, refused = c.evidence[1], c.evidence[3]
+    assert (listed.firmware, listed.date, listed.undefined) == ("1.0.07", "2026-11-23", ((1, 0x6E), (1, 0x6F)))
+    assert refused.firmware == "1.2" and [(s.name, s.evidence) for s in c.refuses] == [("tools.choice", refused)]
+    assert "tools.choice" not in names(c) and INVENTED.refusing(c.refuses[0].field) == (c,)
+    assert c.absent == "no" and device("old-1").absent == "unknown"
+
+
+def test_firmware() -> None:
+    """Of a set, and of one command."""
+    found = {s.name: s.firmware for s in device("model-c").supports if s.firmware}
+    assert found == {"more.accel": "> 1.0.07", "more.own": "> 1.0.07", "tools.capture_bias": ">= 1.0, < 1.1"}
+    assert [x.firmware for x in device("model-c").limits] == ["< 2.0"]
 
 
 def test_what_changes() -> None:
@@ -71,10 +91,9 @@ def test_what_varies() -> None:
 def test_families() -> None:
     first, second = device("old-1"), device("old-2")
     assert first.generation == second.generation == 1 and first.description == second.description
-    assert [(s.name, s.evidence) for s in first.supports] == [
-        ("tools.ping", None), ("measurements.numbers", "All old devices have it.")
-    ]  # fmt: skip
-    assert [bool(s.evidence) for s in second.supports] == [True, True]
+    said = [(s.name, s.evidence.kind, s.evidence.of) for s in first.supports]
+    assert said == [("tools.ping", "documented", ()), ("measurements.numbers", "family", ("model-a", "model-b"))]
+    assert [s.certain for s in second.supports] == [False, False]
     assert first.incomplete != second.incomplete == ("Nothing is known of its data.",)
     assert first.like is None and INVENTED.device("old") is None
     assert first.base_rates == () and first.ack_codes == ()
@@ -113,9 +132,9 @@ def test_a_further_device_is_one_file(tmp_path: Path) -> None:
 
 def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
     (tmp_path / "devices").mkdir()
-    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [hello]}\n")
+    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [poll]}\n")
     (tmp_path / "devices/c.yaml").write_text("extend: model-c\nsupports: {copy: [health]}\nalso: [See]\n")
-    with pytest.raises(SpecError, match=r"'model-a' already supports 'tools\.hello'; remove it"):
+    with pytest.raises(SpecError, match=r"'model-a' already has 'tools\.poll' \(documented\); remove it"):
         load_model(SPECS["invented"][0], tmp_path)
     (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
     c = device("model-c", load_model(SPECS["invented"][0], tmp_path))
@@ -127,10 +146,16 @@ def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
 
 def test_all_models_are_known() -> None:
     numbers = {d.model_number: d for d in REAL.devices}
-    assert len(numbers) == len(REAL.devices) == 37 and None not in numbers
+    assert len(numbers) == len(REAL.devices) and None not in numbers
     assert sorted({d.generation for d in REAL.devices}) == [3, 4, 5, 7]  # type: ignore[type-var]
     assert (numbers[6254].id, numbers[6254].also) == ("3dm-gx5-15", ("3DM-GX5-AR",))
     assert (numbers[6284].title, numbers[6232].like) == ("3DM-GQ7-GNSS/INS", None)
+    assert {numbers[n].id for n in (6256, 6700, 6701, 6702)} == {
+        "3dm-cv5-45",
+        "3dm-cx7-ar",
+        "3dm-cx7-ahrs",
+        "3dm-cx7-ins",
+    }
     whole = {d.id for d in REAL.devices if not d.incomplete}
     assert whole == {"3dm-gx5-15", "3dm-cv7-gnss-ins"}
     assert all(d.manual or d.incomplete for d in REAL.devices)
@@ -143,14 +168,16 @@ def test_device_status() -> None:
     command = codec.choose(REAL.candidates(0x0C, descriptor), data)
     assert command is not None and codec.decode(command, data) == ({"model_number": 6253, "status_selector": 1}, 0)
     found = {}
-    for length in (13, 15, 53, 62, 75, 79, 82, 88):
+    for length in (13, 15, 17, 53, 62, 75, 79, 82, 88, 107):
         head = bytes.fromhex("186d01" if length < 20 else "186d02")
         layout = codec.choose(REAL.candidates(0x0C, 0x90), head.ljust(length - 2, b"\0"))
         assert layout is not None and layout.min_size == layout.max_size == length - 2
         found[length] = layout.name.removeprefix("device_status_").removesuffix("_response")
     assert found == {
-        13: "basic_without_state", 15: "basic", 53: "diagnostic", 62: "diagnostic_imu", 75: "diagnostic_gx4",
+        13: "basic_without_state", 15: "basic", 17: "basic_gx3", 53: "diagnostic", 62: "diagnostic_imu",
+        75: "diagnostic_gx4",
         79: "diagnostic_gnss", 82: "diagnostic_gq4_45", 88: "diagnostic_rq1_45",
+        107: "diagnostic_gx3",
     }  # fmt: skip
 
 
@@ -161,10 +188,11 @@ def test_ports_have_the_names_of_their_device() -> None:
         for v in d.variants:
             if not v.path.startswith("base.comm_speed") or not isinstance(v.variant.type, m.Enum):
                 continue
-            named = {x.value: x.name for x in v.variant.type.values if x.name != "all"}
+            values = v.variant.only or v.variant.type.values
+            named = {x.value: x.name for x in values if isinstance(x, m.EnumValue) and x.name != "all"}
             assert named == {p.id: p.name.lower().replace(" ", "_") for p in d.ports}, d.id
             found += 1
-    assert found == 2, "the command and its response"
+    assert found > 2, "the command and its response, of several devices"
 
 
 def test_who_has_port_ids_and_the_command_names_them() -> None:

@@ -162,6 +162,18 @@ def test_guides_of_a_device() -> None:
     assert all(g.migration is None for g in part.guides) and len(part.guides) > 3
 
 
+def test_what_is_certain() -> None:
+    """Without what a device only probably has, but with the answers of what it has."""
+    d = REAL.device("3dm-gq7")
+    assert d is not None and d.probable
+    both, sure = select(REAL, Selection((d.id,))), select(REAL, Selection((d.id,), certain=True))
+    assert {s.name for s in both.devices[0].supports} == {s.name for s in d.supports}
+    assert {s.name for s in sure.devices[0].supports} == {s.name for s in d.certain}
+    own = {f.full_name for f in sure.fields if f.role != m.RESPONSE}
+    assert own <= {f.full_name for f in both.fields}
+    assert own - {s.field.full_name for s in d.certain} == {"3dm.gyro_bias"}  # answers as capture_gyro_bias does
+
+
 def test_what_was_left_out() -> None:
     part = select(REAL, Selection(sets=("base",)))
     line = left_out(REAL, part)
@@ -181,6 +193,7 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         (Selection(devices=("6254",)), "unknown device '6254', did you mean '3dm-gx5-15'?"),
         (Selection(devices=("RQ1",)), "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st'?"),
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
+        (Selection(certain=True), "--certain is about devices; name one with --device"),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
@@ -190,8 +203,8 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
             "a device that has it: 3dm-gq4-45",
         ),
         (
-            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "rtk")),
-            "the set 'rtk' is of no selected device; leave it out, or select no device",
+            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "displacement")),
+            "the set 'displacement' is of no selected device; leave it out, or select no device",
         ),
     ],
 )

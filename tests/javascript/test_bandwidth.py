@@ -127,7 +127,7 @@ def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
     assert of is not None and of.incomplete
     for s in of.supports:
         if s.name.startswith("sensor.") and s.field.role == m.DATA:
-            assert page.run(row.format("sensor", s.field.full_name)).endswith("(perhaps)") == bool(s.evidence)
+            assert page.run(row.format("sensor", s.field.full_name)).endswith("(probable)") != s.certain
 
 
 def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:

@@ -299,7 +299,7 @@ def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) 
     words = "document.querySelector('#mip-field option[value=\"{}\"]').textContent"
     start(own, "3dm-gq7 filter.run")
     assert own.run(words.format("filter.run")) == "0x05 Run navigation filter"
-    assert own.run(words.format("base.ping")) == "0x01 Ping (perhaps)"
+    assert own.run(words.format("base.ping")) == "0x01 Ping (probable)"
     assert own.run(words.format("3dm.message_format")) == "0x0F Message Format (not known)"
     tool = "document.querySelector('#tool > [role=status]').textContent"
     assert "The profile of the 3DM-GQ7-GNSS/INS is incomplete: Only some pages" in own.run(tool)

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.emit import output, render
+from mipgen.facts import describe
 from mipgen.resolve.load import load_model
 from mipgen.targets.python import members, names
 from packages import REAL, Package, mip, real
@@ -491,16 +492,21 @@ def test_devices(spec: str) -> None:
         device = package.devices.DEVICES[d.id]
         keys = {(s.set, s.field.descriptor): s for s in d.supports}
         sure = {(s.set, s.field.descriptor) for s in d.certain}
-        assert device.fields == sure and device.incomplete == d.incomplete
-        assert device.perhaps == {key: s.evidence for key, s in keys.items() if s.evidence}
-        assert all(device.may_support(*key) and device.supports(*key) == (key in sure) for key in keys)
+        assert device.certain == sure and device.fields == keys.keys() and device.incomplete == d.incomplete
+        for key, s in {(s.set, s.field.descriptor): s for s in (*d.supports, *d.refuses)}.items():
+            assert device.support(*key).value == s.evidence.answer and device.has(*key) == (key in keys)
+            why = device.why(*key)
+            assert (why.kind, why.why, why.undefined) == (
+                s.evidence.kind, describe.why(s.evidence, of), s.evidence.undefined
+            )  # fmt: skip
+        assert device.support(0x01, 0xEE).value == d.absent and device.why(0x01, 0xEE) is None
         assert (device.also, device.generation, device.manual) == (d.also, d.generation, d.manual)
-        assert all(package.devices.find(name) is device for name in (d.id, d.title, *d.also))
+        assert all(package.devices.by_name(name) is device for name in (d.id, d.title, *d.also))
         assert d.model_number is None or package.devices.by_model(d.model_number) is device
         assert device.functions == {key: m.letters(s.functions) for key, s in keys.items() if s.differs}
         assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
-        assert [(p.name, p.id, p.baud_rates, p.protocols) for p in device.ports] == [
-            (p.name, p.id, p.baud_rates, p.protocols) for p in d.ports
+        assert [(p.name, p.id, p.baud_rates, p.receives, p.sends) for p in device.ports] == [
+            (p.name, p.id, p.baud_rates, p.receives, p.sends) for p in d.ports
         ]
         assert {k: (x.value, x.unit, x.description) for k, x in device.limits.items()} == {
             x.name: (x.value, x.unit, x.description) for x in d.limits

@@ -525,7 +525,7 @@ def test_the_program_of_the_readme_runs() -> None:
     program = text.split("## What fields mean")[1].split("```python\n")[1].split("```")[0]
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=REAL, check=True)
     lines = done.stdout.splitlines()
-    assert lines[0] == "GNSS LLH position is sent by 3dm-cv7-gnss-ins 3dm-gq7"
+    assert lines[0] == "GNSS LLH position is sent by 3dm-cv7-gnss-ins 3dm-cv7-ins 3dm-gq7"
     assert lines[1].startswith(
         "deg ('valid_flags.lat_lon',) - Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if "
     )
@@ -635,6 +635,6 @@ def test_names_of_devices() -> None:
         with pytest.raises(real.errors.UnknownName, match=f"{name!r} is not a device; did you mean .*{near}") as found:
             find(name)
         assert near in found.value.near and len(found.value.near) <= 4
-    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cx5-45, .* or 3dm-gx5-45"):
+    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cv5-45, .* or 3dm-gx5-45"):
         find("45")
     assert repr(find("gx5 15")) == "<Device 3dm-gx5-15: 3DM-GX5-15>"

@@ -13,6 +13,7 @@ from typing import Any
 
 from conformance.client_model import wanted_responses
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Constructor, Records
@@ -399,15 +400,15 @@ class _Writer:
 
     def device(self, d: m.Device) -> Iterator[str]:
         of = f"devices::{rust.constant(d.name)}"
-        for s in d.supports:
+        for s in (*d.supports, *d.refuses):
             functions = [x.value for x in s.functions]
-            supports = "may_support" if s.evidence else "supports"
-            yield f"let field = {of}.{supports}({s.set}, {s.field.descriptor}).unwrap();"
-            evidence = f"Some({text(s.evidence)})" if s.evidence else "None"
-            yield f"assert_eq!(field.evidence, {evidence});"
+            yield f"let field = {of}.field({s.set}, {s.field.descriptor}).unwrap();"
+            answer, why = f"devices::Support::{s.evidence.answer.capitalize()}", describe.why(s.evidence, self.model)
+            yield f"assert_eq!((field.evidence.answer, field.evidence.why), ({answer}, {text(why)}));"
+            yield f"assert_eq!({of}.support({s.set}, {s.field.descriptor}), {answer});"
             yield f'assert_eq!((field.set, field.name), ({s.set}, "{s.name}"));'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
-        yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
+        yield f"assert_eq!(({of}.fields.len(), {of}.refuses.len()), ({len(d.supports)}, {len(d.refuses)}));"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
         yield f"assert_eq!({of}.description, {text(d.description)});"
@@ -425,11 +426,11 @@ class _Writer:
             yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"
         for i, port in enumerate(d.ports):
             identity = "None" if port.id is None else f"Some({port.id})"
-            protocols = ", ".join(map(text, port.protocols))
             yield f"let port = &{of}.ports[{i}];"
             yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
             yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
-            yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
+            for way, names in (("receives", port.receives), ("sends", port.sends)):
+                yield f"assert_eq!(port.{way}, [{', '.join(map(text, names))}] as [&str; {len(names)}]);"
         for i, x in enumerate(d.limits):
             unit = f"Some({text(x.unit)})" if x.unit else "None"
             yield f"let limit = &{of}.limits[{i}];"

@@ -187,7 +187,7 @@ export function supportOn(protocol, device, field, set) {
 }
 
 /** What the evidence for an entry says: "yes" or "probable". */
-function answerOf(device, support) {
+function certaintyIn(device, support) {
     return device?.evidence?.[support.evidence]?.answer ?? "yes";
 }
 
@@ -201,7 +201,7 @@ function commandsOf(protocol, response) {
  */
 export function certaintyOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
-    if (support) return answerOf(device, support) === "probable" ? "probable" : "";
+    if (support) return certaintyIn(device, support) === "probable" ? "probable" : "";
     if (device?.refuses?.some((one) => one.field === nameIn(field, set))) return undefined;
     return device.incomplete ? "not known" : undefined;
 }
@@ -211,7 +211,7 @@ export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
-    if (answerOf(device, support) === "probable") found.push(`it probably supports this: ${device.evidence[support.evidence].why}`);
+    if (certaintyIn(device, support) === "probable") found.push(`it probably supports this: ${device.evidence[support.evidence].why}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);
     if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
     for (const parameter of field.parameters) {

@@ -540,6 +540,20 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         "Diagnostic Device Status of an IMU",
         (),
     ),
+    "3dm.device_status_basic_gx3_response": (
+        "mip_3dm",
+        "DeviceStatusBasicGx3Response",
+        "response",
+        "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+        (),
+    ),
+    "3dm.device_status_diagnostic_gx3_response": (
+        "mip_3dm",
+        "DeviceStatusDiagnosticGx3Response",
+        "response",
+        "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+        (),
+    ),
     "3dm.gps_dynamics_mode_response": (
         "mip_3dm",
         "GpsDynamicsModeResponse",

@@ -469,9 +469,17 @@ class CommSpeedResponse(Response):
     port: int
     """Port id of the device.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-      3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
-      `types.CommInterface`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
+      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+      `types.CommInterface.USB_1`.
+    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
+      `types.CommInterface.MAIN`, `types.CommInterface.UART_1`, `types.CommInterface.UART_2`,
+      `types.CommInterface.UART_3` and `types.CommInterface.USB_1`.
+    - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
+    - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
+      `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
+    - On the 3DM-RTK: the values are not known.
     """
     baud: int
     """Baud rate of the port. Unit: Bd."""
@@ -814,9 +822,17 @@ class CommSpeed(Command[R]):
     port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only.
 
-    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-      3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
-      `types.CommInterface`.
+    - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values
+      of `types.CommInterface`; only `types.CommInterface.MAIN`, `types.CommInterface.UART_1` and
+      `types.CommInterface.USB_1`.
+    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    - On the 3DM-CV7-INS and 3DM-CX7-INS: values of `types.CommInterface`; only
+      `types.CommInterface.MAIN`, `types.CommInterface.UART_1`, `types.CommInterface.UART_2`,
+      `types.CommInterface.UART_3` and `types.CommInterface.USB_1`.
+    - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
+    - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
+      `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
+    - On the 3DM-RTK: the values are not known.
     """
     baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""

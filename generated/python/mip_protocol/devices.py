@@ -16,54 +16,24 @@ CL5_10 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
+                0x80: bytes.fromhex("07 08 12"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -76,11 +46,9 @@ CL5_10 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CL5-IMU",),
     generation=5,
-    manual=None,
 )
 """Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
 known. This profile is incomplete: No manual is known. Uncertain: MSCL does not know it.
@@ -99,100 +67,27 @@ CL5_15 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3E 40 50 51 64"),
+                0x0D: bytes.fromhex("01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 28 41 44 4B"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex("03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 1C 21"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -208,11 +103,9 @@ CL5_15 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CL5-AR",),
     generation=5,
-    manual=None,
 )
 """Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
 This profile is incomplete: No manual is known.
@@ -231,117 +124,31 @@ CL5_25 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3A 3B 3E 40 50 51 64"),
+                0x0D: bytes.fromhex(
+                    "01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 27 28 29 2B 2C 41 42 43 44 45 46 47 4B"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex(
+                    "03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 15 1C 21 25 26 28 29"
+                ),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -357,11 +164,9 @@ CL5_25 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CL5-AHRS",),
     generation=5,
-    manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
 No manual is known. This profile is incomplete: No manual is known.
@@ -380,65 +185,30 @@ CV5_10 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
+                0x80: bytes.fromhex("07 08 12"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (MicroStrain Communication Library: Issue 145).",
-            frozenset(
-                {
-                    (0x80, 0x01)  # sensor.raw_accel
-                }
-            ),
-            (),
+            {0x80: bytes.fromhex("01")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -451,11 +221,9 @@ CV5_10 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("Its manual (8500-0070) is not known.",),
     also=("3DM-CV5-IMU",),
     generation=5,
-    manual=None,
 )
 """Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is
 known. This profile is incomplete: Its manual (8500-0070) is not known.
@@ -474,120 +242,41 @@ CV5_15 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
+                0x0D: bytes.fromhex("11 19"),
+                0x80: bytes.fromhex("04 05 12"),
+                0x82: bytes.fromhex("05 0E 10 11 1C"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0D, 0x01),  # filter.reset
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
+                0x0D: bytes.fromhex("02 03 14 17 18 1A 1B 1D 1F 20 21 23 26 28 41 44 4B"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0F 12 13 14 21"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -603,11 +292,9 @@ CV5_15 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CV5-AR",),
     generation=5,
-    manual=None,
 )
 """Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known.
 This profile is incomplete: No manual is known.
@@ -626,137 +313,43 @@ CV5_25 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
+                0x0D: bytes.fromhex("11 19"),
+                0x80: bytes.fromhex("04 05 12"),
+                0x82: bytes.fromhex("05 0E 10 11 1C"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x18),  # filter.heading_source
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
+                0x0D: bytes.fromhex(
+                    "02 03 14 17 1A 1B 1D 1F 20 21 23 26 27 28 29 2B 2C 41 42 43 44 45 46 47 4B"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0F 12 13 14 15 21 25 26 28 29"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -772,11 +365,9 @@ CV5_25 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CV5-AHRS",),
     generation=5,
-    manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
 No manual is known. This profile is incomplete: No manual is known.
@@ -795,161 +386,42 @@ CV5_45 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x04),  # gnss_data.ecef_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x06),  # gnss_data.ecef_velocity
-                    (0x81, 0x07),  # gnss_data.dop
-                    (0x81, 0x08),  # gnss_data.utc_time
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x81, 0x0A),  # gnss_data.clock_info
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x81, 0x0C),  # gnss_data.sv_info
-                    (0x81, 0x0D),  # gnss_data.hardware_status
-                    (0x81, 0x0E),  # gnss_data.dgps_info
-                    (0x81, 0x0F),  # gnss_data.dgps_channel
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex(
+                    "01 02 03 07 09 0A 0B 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"
+                ),
+                0x0D: bytes.fromhex(
+                    "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 27 28 29 2B 2C 42 43 44 45 46 47 4B 53"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
+                0x81: bytes.fromhex("03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F"),
+                0x82: bytes.fromhex("04 05 0E 14"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
-            frozenset(
-                {
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x20),  # filter_data.standard_atmosphere
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {
+                0x82: bytes.fromhex(
+                    "01 02 03 06 07 08 09 0A 0B 0C 0D 0F 10 11 12 13 15 1C 20 21 25 26 28 29"
+                )
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -964,11 +436,8 @@ CV5_45 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=5,
-    manual=None,
 )
 """Inertial navigation system with GNSS. Generation 5. Model number 6256. No manual is known. This
 profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
@@ -986,242 +455,126 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            {
+                0x01: bytes.fromhex("04 07 09"),
+                0x0C: bytes.fromhex("0E 50 54"),
+                0x80: bytes.fromhex("06 17"),
+                0x82: bytes.fromhex("1C"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x0C: bytes.fromhex("11 38 39 3A 3B"),
+                0x0D: bytes.fromhex("01 03 43"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("04"),
+                0x82: bytes.fromhex("06"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
-            frozenset(
-                {
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            {
+                0x0C: bytes.fromhex("2E 2F 41"),
+                0x80: bytes.fromhex("18"),
+                0xA0: bytes.fromhex("02"),
+                0xFF: bytes.fromhex("D0 D3"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
-            frozenset(
-                {
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            {
+                0x0D: bytes.fromhex("50"),
+                0x80: bytes.fromhex("05 0A"),
+                0x82: bytes.fromhex("03 04 05 0D 0E 10 13"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
-            frozenset(
-                {
-                    (0x82, 0x50)  # filter_data.aiding_frame_config_error
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            {0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 06"), 0x0C: bytes.fromhex("0F 2B 30 31")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03)  # base.get_device_info
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (Public programs of users: Program for a 3DM-CV7).",
-            frozenset(
-                {
-                    (0x01, 0x05)  # base.built_in_test
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("05")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (PX4: Driver of the vendor's sensors).",
-            frozenset(
-                {
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("52"), 0x82: bytes.fromhex("0A")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("09 0C"),
+                0x82: bytes.fromhex("0B 12 21"),
+                0xA0: bytes.fromhex("03"),
+                0xFF: bytes.fromhex("D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("08 72 7E"),
+                0x0C: bytes.fromhex("0D 10 2A 2C 2D 32 33 37 42 51 53"),
+                0x0D: bytes.fromhex("1A 1B 1D 20 28"),
+                0x80: bytes.fromhex("07 08 14"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D4 D6 D8"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257).",
-            frozenset(
-                {
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x91, 0x03),  # gnss_1.llh_position
-                    (0x91, 0x0B),  # gnss_1.fix_info
-                }
-            ),
-            (),
+            {
+                0x81: bytes.fromhex("03 0B"),
+                0x82: bytes.fromhex("34 43"),
+                0x91: bytes.fromhex("03 0B"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (ROS driver of the vendor: Issue 350).",
-            frozenset(
-                {
-                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
-                    (0x91, 0x12),  # gnss_1.sbas_info
-                    (0x91, 0x14),  # gnss_1.rf_error_detection
-                    (0x92, 0x0B),  # gnss_2.fix_info
-                    (0x92, 0x12),  # gnss_2.sbas_info
-                    (0x92, 0x14),  # gnss_2.rf_error_detection
-                }
-            ),
-            (),
+            {
+                0x82: bytes.fromhex("49"),
+                0x91: bytes.fromhex("12 14"),
+                0x92: bytes.fromhex("0B 12 14"),
+            },
         ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
@@ -1283,9 +636,7 @@ CV7_AHRS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
-    also=(),
     generation=7,
     manual="3dm-cv7",
 )
@@ -1307,213 +658,103 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            {
+                0x01: bytes.fromhex("04 07 09"),
+                0x0C: bytes.fromhex("0E 50 54"),
+                0x80: bytes.fromhex("06 17"),
+                0x82: bytes.fromhex("1C"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x0C: bytes.fromhex("11 38 39 3A 3B"),
+                0x0D: bytes.fromhex("01 03 43"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("04"),
+                0x82: bytes.fromhex("06"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
-            frozenset(
-                {
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            {
+                0x0C: bytes.fromhex("2E 2F 41"),
+                0x80: bytes.fromhex("18"),
+                0xA0: bytes.fromhex("02"),
+                0xFF: bytes.fromhex("D0 D3"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
-            frozenset(
-                {
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            {
+                0x0D: bytes.fromhex("50"),
+                0x80: bytes.fromhex("05 0A"),
+                0x82: bytes.fromhex("03 04 05 0D 0E 10 13"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
-            frozenset(
-                {
-                    (0x82, 0x50)  # filter_data.aiding_frame_config_error
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            {0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.YES,
             "listed",
             "The device lists it (MicroStrain Communication Library: Issue 258).",
-            frozenset(
-                {
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("08"),
+                0xA0: bytes.fromhex("01 03"),
+                0xFF: bytes.fromhex("D4 D5 D6 D7 D8"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 06"), 0x0C: bytes.fromhex("0F 2B 30 31")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (PX4: Driver of the vendor's sensors).",
-            frozenset(
-                {
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("52"), 0x82: bytes.fromhex("0A")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                }
-            ),
-            (),
+            {0x80: bytes.fromhex("09 0C"), 0x82: bytes.fromhex("0B 12 21")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("0D 10 2A 2C 2D 32 33 37 42 51 53"),
+                0x0D: bytes.fromhex("1A 1B 1D 20 28"),
+                0x80: bytes.fromhex("07 08 14"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (MicroStrain Communication Library: Issue 258).",
-            frozenset(
-                {
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("19 44 4B")},
         ),
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
@@ -1575,9 +816,7 @@ CV7_AR = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
-    also=(),
     generation=7,
     manual="3dm-cv7",
 )
@@ -1599,195 +838,29 @@ CV7_GNSS_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x04),  # 3dm.poll_nmea_data
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x43),  # 3dm.odometer_config
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x05),  # filter.run
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x52),  # filter.initialization_config
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0x0D, 0x54),  # filter.multi_antenna_offset
-                    (0x0D, 0x55),  # filter.relative_position_config
-                    (0x0D, 0x56),  # filter.reference_point_lever_arm
-                    (0x0D, 0x61),  # filter.speed_lever_arm
-                    (0x0D, 0x63),  # filter.wheeled_vehicle_constraint_control
-                    (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
-                    (0x0E, 0x01),  # gnss.receiver_info
-                    (0x0E, 0x02),  # gnss.signal_config
-                    (0x0E, 0x20),  # gnss.spartn_config
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x21),  # aiding.ecef_position
-                    (0x13, 0x22),  # aiding.llh_position
-                    (0x13, 0x23),  # aiding.height_above_ellipsoid
-                    (0x13, 0x28),  # aiding.ecef_velocity
-                    (0x13, 0x29),  # aiding.ned_velocity
-                    (0x13, 0x2A),  # aiding.body_frame_velocity
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x13, 0x33),  # aiding.pressure
-                    (0x7F, 0x02),  # system.interface_control
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x80, 0x40),  # sensor.odometer
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
-                    (0x82, 0x35),  # filter_data.multi_antenna_offset_correction_uncertainty
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                    (0x82, 0x42),  # filter_data.ned_relative_position
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
-                    (0x82, 0x47),  # filter_data.odometer_scale_factor_error
-                    (0x82, 0x48),  # filter_data.odometer_scale_factor_error_uncertainty
-                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
-                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
-                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
-                    (0x91, 0x03),  # gnss_1.llh_position
-                    (0x91, 0x04),  # gnss_1.ecef_position
-                    (0x91, 0x05),  # gnss_1.ned_velocity
-                    (0x91, 0x06),  # gnss_1.ecef_velocity
-                    (0x91, 0x07),  # gnss_1.dop
-                    (0x91, 0x08),  # gnss_1.utc_time
-                    (0x91, 0x09),  # gnss_1.gps_time
-                    (0x91, 0x0B),  # gnss_1.fix_info
-                    (0x91, 0x0D),  # gnss_1.hardware_status
-                    (0x91, 0x10),  # gnss_1.clock_info_2
-                    (0x91, 0x11),  # gnss_1.gps_leap_seconds
-                    (0x91, 0x12),  # gnss_1.sbas_info
-                    (0x91, 0x20),  # gnss_1.satellite_status
-                    (0x91, 0x22),  # gnss_1.raw
-                    (0x91, 0x61),  # gnss_1.gps_ephemeris
-                    (0x91, 0x62),  # gnss_1.glonass_ephemeris
-                    (0x91, 0x63),  # gnss_1.galileo_ephemeris
-                    (0x91, 0x64),  # gnss_1.beidou_ephemeris
-                    (0x92, 0x03),  # gnss_2.llh_position
-                    (0x92, 0x04),  # gnss_2.ecef_position
-                    (0x92, 0x05),  # gnss_2.ned_velocity
-                    (0x92, 0x06),  # gnss_2.ecef_velocity
-                    (0x92, 0x07),  # gnss_2.dop
-                    (0x92, 0x08),  # gnss_2.utc_time
-                    (0x92, 0x09),  # gnss_2.gps_time
-                    (0x92, 0x0B),  # gnss_2.fix_info
-                    (0x92, 0x0D),  # gnss_2.hardware_status
-                    (0x92, 0x10),  # gnss_2.clock_info_2
-                    (0x92, 0x11),  # gnss_2.gps_leap_seconds
-                    (0x92, 0x12),  # gnss_2.sbas_info
-                    (0x92, 0x20),  # gnss_2.satellite_status
-                    (0x92, 0x22),  # gnss_2.raw
-                    (0x92, 0x61),  # gnss_2.gps_ephemeris
-                    (0x92, 0x62),  # gnss_2.glonass_ephemeris
-                    (0x92, 0x63),  # gnss_2.galileo_ephemeris
-                    (0x92, 0x64),  # gnss_2.beidou_ephemeris
-                    (0x93, 0x30),  # gnss_corrections.base_station_info
-                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
-                    (0x94, 0x03),  # gnss_external.llh_position
-                    (0x94, 0x05),  # gnss_external.ned_velocity
-                    (0x94, 0x08),  # gnss_external.utc_time
-                    (0x94, 0x0B),  # gnss_external.fix_info
-                    (0x94, 0x20),  # gnss_external.satellite_status
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 07 08 09 72 7E"),
+                0x0C: bytes.fromhex(
+                    "04 0C 0D 0E 0F 10 11 22 28 2A 2B 2C 2D 2E 2F 30 31 32 33 37 38 39 3A 3B 40 41 42 43 50 51 52 53 54"
+                ),
+                0x0D: bytes.fromhex(
+                    "01 03 05 13 15 17 1A 1B 1C 1D 1F 20 28 43 50 52 53 54 55 56 61 63 64"
+                ),
+                0x0E: bytes.fromhex("01 02 20"),
+                0x13: bytes.fromhex("01 1F 21 22 23 28 29 2A 31 32 33"),
+                0x7F: bytes.fromhex("02"),
+                0x80: bytes.fromhex("04 05 06 07 08 09 0A 0C 12 14 17 18 40"),
+                0x82: bytes.fromhex(
+                    "01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 10 11 12 13 15 1C 21 34 35 36 37 40 41 42 43 46 47 48 49 50 51"
+                ),
+                0x91: bytes.fromhex("03 04 05 06 07 08 09 0B 0D 10 11 12 20 22 61 62 63 64"),
+                0x92: bytes.fromhex("03 04 05 06 07 08 09 0B 0D 10 11 12 20 22 61 62 63 64"),
+                0x93: bytes.fromhex("30 31"),
+                0x94: bytes.fromhex("03 05 08 0B 20"),
+                0xA0: bytes.fromhex("01 02 03"),
+                0xFF: bytes.fromhex("D0 D3 D4 D5 D6 D7 D8"),
+            },
         ),
     ),
     functions={
@@ -2015,8 +1088,6 @@ CV7_GNSS_INS = Device(
         "system_data.built_in_test.result": types.Cv7ContinuousBuiltInTest,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5, 6]),
-    incomplete=(),
-    also=(),
     generation=7,
     manual="3dm-cv7-gnss-ins",
 )
@@ -2034,249 +1105,103 @@ CV7_INS = Device(
     model_number=6291,
     evidence=(
         Evidence(
-            Support.YES,
-            "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                }
-            ),
-            (),
+            Support.YES, "documented", "Its documentation has it.", {0x0D: bytes.fromhex("13 20")}
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
-            frozenset(
-                {
-                    (0x0D, 0x52),  # filter.initialization_config
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
+            {0x0D: bytes.fromhex("52"), 0x13: bytes.fromhex("01"), 0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
-            frozenset(
-                {
-                    (0x94, 0x03),  # gnss_external.llh_position
-                    (0x94, 0x04),  # gnss_external.ecef_position
-                    (0x94, 0x05),  # gnss_external.ned_velocity
-                    (0x94, 0x06),  # gnss_external.ecef_velocity
-                    (0x94, 0x07),  # gnss_external.dop
-                    (0x94, 0x08),  # gnss_external.utc_time
-                    (0x94, 0x0B),  # gnss_external.fix_info
-                    (0x94, 0x10),  # gnss_external.clock_info_2
-                    (0x94, 0x11),  # gnss_external.gps_leap_seconds
-                    (0x94, 0x14),  # gnss_external.rf_error_detection
-                    (0x94, 0x20),  # gnss_external.satellite_status
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+            {0x94: bytes.fromhex("03 04 05 06 07 08 0B 10 11 14 20")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x13, 0x22),  # aiding.llh_position
-                    (0x13, 0x29),  # aiding.ned_velocity
-                    (0x13, 0x2A),  # aiding.body_frame_velocity
-                    (0x13, 0x31),  # aiding.true_heading
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 06"),
+                0x0C: bytes.fromhex("0E 0F 30 39"),
+                0x0D: bytes.fromhex("01 50"),
+                0x13: bytes.fromhex("22 29 2A 31"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x10),  # filter_data.status
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x82: bytes.fromhex("01 02 05 10"),
+                0xA0: bytes.fromhex("02"),
+                0xFF: bytes.fromhex("D3"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (PX4: Driver of the vendor's sensors).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("04 07"),
+                0x0C: bytes.fromhex("11 31 52"),
+                0x0D: bytes.fromhex("15"),
+                0x80: bytes.fromhex("06 17"),
+                0x82: bytes.fromhex("03 08 09 0A 0D 0E"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x55),  # filter.relative_position_config
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x42),  # filter_data.ned_relative_position
-                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("09"),
+                0x0C: bytes.fromhex("28 41 42"),
+                0x0D: bytes.fromhex("43 55"),
+                0x82: bytes.fromhex("36 40 42 46"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0D, 0x53)  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {0x80: bytes.fromhex("04 05")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("09 0A 0C"),
+                0x82: bytes.fromhex("06 07 0B 0C 12 13 1C 21"),
+                0xA0: bytes.fromhex("03"),
+                0xFF: bytes.fromhex("D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x04),  # 3dm.poll_nmea_data
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x05),  # filter.run
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x56),  # filter.reference_point_lever_arm
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x21),  # aiding.ecef_position
-                    (0x13, 0x23),  # aiding.height_above_ellipsoid
-                    (0x13, 0x28),  # aiding.ecef_velocity
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x13, 0x33),  # aiding.pressure
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 72 7E"),
+                0x0C: bytes.fromhex("04 0C 0D 10 2A 2B 2C 2D 2E 2F 32 33 37 38 3A 3B 50 51 53 54"),
+                0x0D: bytes.fromhex("03 05 17 1A 1B 1C 1D 1F 28 56"),
+                0x13: bytes.fromhex("1F 21 23 28 32 33"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04 15 37 41 43 51"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D0 D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={0x94: 0},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -2336,12 +1261,10 @@ CV7_INS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ),
-    also=(),
     generation=7,
     manual="3dm-cv7-ins",
 )
@@ -2365,65 +1288,23 @@ CX5_10 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                }
-            ),
-            (),
+            "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
+            {0x01: bytes.fromhex("01 02 03 04 05 06 72 7E"), 0x0C: bytes.fromhex("01 06 08 11")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("07"), 0x0C: bytes.fromhex("30"), 0x80: bytes.fromhex("04 05")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
-            frozenset(
-                {
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("37 38 39 3E 40 50 51 64"), 0x80: bytes.fromhex("07 08 12")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -2436,7 +1317,6 @@ CX5_10 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm` and `sensor` only.",
     ),
@@ -2463,120 +1343,41 @@ CX5_15 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
+                0x0D: bytes.fromhex("11 19"),
+                0x80: bytes.fromhex("04 05 12"),
+                0x82: bytes.fromhex("05 0E 10 11 1C"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0D, 0x01),  # filter.reset
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
+                0x0D: bytes.fromhex("02 03 14 17 18 1A 1B 1D 1F 20 21 23 26 28 41 44 4B"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0F 12 13 14 21"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -2592,11 +1393,9 @@ CX5_15 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CX5-AR",),
     generation=5,
-    manual=None,
 )
 """Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known.
 This profile is incomplete: No manual is known.
@@ -2615,137 +1414,43 @@ CX5_25 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
+                0x0D: bytes.fromhex("11 19"),
+                0x80: bytes.fromhex("04 05 12"),
+                0x82: bytes.fromhex("05 0E 10 11 1C"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x18),  # filter.heading_source
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
+                0x0D: bytes.fromhex(
+                    "02 03 14 17 1A 1B 1D 1F 20 21 23 26 27 28 29 2B 2C 41 42 43 44 45 46 47 4B"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0F 12 13 14 15 21 25 26 28 29"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -2761,11 +1466,9 @@ CX5_25 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CX5-AHRS",),
     generation=5,
-    manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
 No manual is known. This profile is incomplete: No manual is known.
@@ -2784,84 +1487,26 @@ CX5_35 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-35.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x04),  # gnss_data.ecef_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x06),  # gnss_data.ecef_velocity
-                    (0x81, 0x07),  # gnss_data.dop
-                    (0x81, 0x08),  # gnss_data.utc_time
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x81, 0x0A),  # gnss_data.clock_info
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x81, 0x0C),  # gnss_data.sv_info
-                    (0x81, 0x0D),  # gnss_data.hardware_status
-                    (0x81, 0x0E),  # gnss_data.dgps_info
-                    (0x81, 0x0F),  # gnss_data.dgps_channel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 02 07 09 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("06 07 08 09 0A 0C 10 11 12 17"),
+                0x81: bytes.fromhex("03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -2873,11 +1518,9 @@ CX5_35 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-CX5-GNSS/AHRS",),
     generation=5,
-    manual=None,
 )
 """Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
 number 6272. No manual is known. This profile is incomplete: No manual is known.
@@ -2895,202 +1538,68 @@ CX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                }
-            ),
-            (),
+            "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
+            {0x80: bytes.fromhex("04 05 06")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 09 0A 0B 30"),
+                0x0D: bytes.fromhex("01 11 13 18 19"),
+                0x80: bytes.fromhex("12"),
+                0x81: bytes.fromhex("0B"),
+                0x82: bytes.fromhex("01 02 05 10 11"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0C: bytes.fromhex("07 39")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
-            frozenset(
-                {
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x07),  # gnss_data.dop
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("0A 17"),
+                0x81: bytes.fromhex("03 05 07"),
+                0x82: bytes.fromhex("03"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x81, 0x04),  # gnss_data.ecef_position
-                    (0x81, 0x06),  # gnss_data.ecef_velocity
-                    (0x81, 0x08),  # gnss_data.utc_time
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x81, 0x0A),  # gnss_data.clock_info
-                    (0x81, 0x0C),  # gnss_data.sv_info
-                    (0x81, 0x0D),  # gnss_data.hardware_status
-                    (0x81, 0x0E),  # gnss_data.dgps_info
-                    (0x81, 0x0F),  # gnss_data.dgps_channel
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 02 03 11 21 22 23 24 37 38 3A 3B 3E 40 50 51 64"),
+                0x0D: bytes.fromhex(
+                    "02 03 10 12 14 15 16 17 1A 1B 1C 1D 1E 1F 20 21 22 23 27 28 29 2B 2C 42 43 44 45 46 47 4B 53"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("07 08 09 0C 10 11"),
+                0x81: bytes.fromhex("04 06 08 09 0A 0C 0D 0E 0F"),
+                0x82: bytes.fromhex("04 0E 14"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
-            frozenset(
-                {
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x20),  # filter_data.standard_atmosphere
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -3105,7 +1614,6 @@ CX5_45 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
     ),
@@ -3132,131 +1640,43 @@ CX7_AHRS = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 05 06 0A 0B 0D 0E 10 12 13 1C 21"),
+                0xA0: bytes.fromhex("02 03"),
+                0xFF: bytes.fromhex("D3 D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 09 72 7E"),
+                0x0C: bytes.fromhex(
+                    "0D 10 11 2A 2B 2C 2D 2E 2F 31 32 33 37 38 39 3A 3B 42 50 51 52 53 54"
+                ),
+                0x0D: bytes.fromhex("01 03 1A 1B 1D 20 28"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D0 D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -3310,11 +1730,8 @@ CX7_AHRS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Attitude and heading reference system. Generation 7. Model number 6701. No manual is known. This
 profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
@@ -3333,131 +1750,43 @@ CX7_AR = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 05 06 0A 0B 0D 0E 10 12 13 1C 21"),
+                0xA0: bytes.fromhex("02 03"),
+                0xFF: bytes.fromhex("D3 D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 09 72 7E"),
+                0x0C: bytes.fromhex(
+                    "0D 10 11 2A 2B 2C 2D 2E 2F 31 32 33 37 38 39 3A 3B 42 50 51 52 53 54"
+                ),
+                0x0D: bytes.fromhex("01 03 1A 1B 1D 20 28"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D0 D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -3511,11 +1840,8 @@ CX7_AR = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Attitude reference. Generation 7. Model number 6700. No manual is known. This profile is
 incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
@@ -3534,170 +1860,44 @@ CX7_INS = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 05 06 07 0A 0B 0C 0D 0E 10 12 13 1C 21"),
+                0xA0: bytes.fromhex("02 03"),
+                0xFF: bytes.fromhex("D3 D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x04),  # 3dm.poll_nmea_data
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x05),  # filter.run
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x52),  # filter.initialization_config
-                    (0x0D, 0x55),  # filter.relative_position_config
-                    (0x0D, 0x56),  # filter.reference_point_lever_arm
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x21),  # aiding.ecef_position
-                    (0x13, 0x22),  # aiding.llh_position
-                    (0x13, 0x23),  # aiding.height_above_ellipsoid
-                    (0x13, 0x28),  # aiding.ecef_velocity
-                    (0x13, 0x29),  # aiding.ned_velocity
-                    (0x13, 0x2A),  # aiding.body_frame_velocity
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x13, 0x33),  # aiding.pressure
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                    (0x82, 0x42),  # filter_data.ned_relative_position
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
-                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
-                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
-                    (0x94, 0x03),  # gnss_external.llh_position
-                    (0x94, 0x05),  # gnss_external.ned_velocity
-                    (0x94, 0x08),  # gnss_external.utc_time
-                    (0x94, 0x0B),  # gnss_external.fix_info
-                    (0x94, 0x20),  # gnss_external.satellite_status
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 09 72 7E"),
+                0x0C: bytes.fromhex(
+                    "04 0C 0D 10 11 2A 2B 2C 2D 2E 2F 31 32 33 37 38 39 3A 3B 42 50 51 52 53 54"
+                ),
+                0x0D: bytes.fromhex("01 03 05 13 15 17 1A 1B 1C 1D 1F 20 28 52 55 56"),
+                0x13: bytes.fromhex("01 1F 21 22 23 28 29 2A 31 32 33"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("01 02 04 08 09 15 36 37 40 41 42 43 46 50 51"),
+                0x94: bytes.fromhex("03 05 08 0B 20"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D0 D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -3753,11 +1953,8 @@ CX7_INS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Inertial navigation system. Generation 7. Model number 6702. No manual is known. This profile is
 incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
@@ -3776,33 +1973,16 @@ DH3 = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 04 06"), 0x0C: bytes.fromhex("11")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=3,
-    manual=None,
 )
 """Device of generation 3. Generation 3. Model number 6219. No manual is known. This profile is
 incomplete: No manual is known.
@@ -3820,98 +2000,30 @@ GQ4_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 72 7E"),
+                0x0C: bytes.fromhex(
+                    "01 02 03 06 07 08 09 0A 0B 11 20 21 22 30 37 38 39 3A 3B 3E 40 50 51 64"
+                ),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45.",
-            frozenset(
-                {
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x0D: bytes.fromhex(
+                    "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+                0x82: bytes.fromhex("01 02 05"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -3928,12 +2040,10 @@ GQ4_45 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ),
-    also=(),
     generation=4,
     manual="3dm-gq4-45",
 )
@@ -3957,252 +2067,90 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0xA0, 0x01),  # system_data.built_in_test
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+            {
+                0x01: bytes.fromhex("03"),
+                0x0C: bytes.fromhex("42"),
+                0x80: bytes.fromhex("14"),
+                0xA0: bytes.fromhex("01"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
+            {0x01: bytes.fromhex("04 07 09"), 0x0C: bytes.fromhex("0E 50 54")},
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x0C, 0x04),  # 3dm.poll_nmea_data
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x05),  # filter.run
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x52),  # filter.initialization_config
-                    (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
-                    (0x91, 0x03),  # gnss_1.llh_position
-                    (0x91, 0x0B),  # gnss_1.fix_info
-                    (0x92, 0x0D),  # gnss_2.hardware_status
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x0C: bytes.fromhex("04 31 39"),
+                0x0D: bytes.fromhex("05 15 1E 20 43 52 64"),
+                0x91: bytes.fromhex("03 0B"),
+                0x92: bytes.fromhex("0D"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x80, 0x40),  # sensor.odometer
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x34),  # filter_data.multi_antenna_offset_correction
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                    (0x82, 0x42),  # filter_data.ned_relative_position
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
-                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
-                    (0x91, 0x04),  # gnss_1.ecef_position
-                    (0x91, 0x05),  # gnss_1.ned_velocity
-                    (0x91, 0x06),  # gnss_1.ecef_velocity
-                    (0x91, 0x12),  # gnss_1.sbas_info
-                    (0x91, 0x14),  # gnss_1.rf_error_detection
-                    (0x92, 0x03),  # gnss_2.llh_position
-                    (0x92, 0x04),  # gnss_2.ecef_position
-                    (0x92, 0x05),  # gnss_2.ned_velocity
-                    (0x92, 0x06),  # gnss_2.ecef_velocity
-                    (0x92, 0x12),  # gnss_2.sbas_info
-                    (0x92, 0x14),  # gnss_2.rf_error_detection
-                    (0x93, 0x30),  # gnss_corrections.base_station_info
-                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
+            {
+                0x80: bytes.fromhex("04 05 06 07 08 0A 12 17 18 40"),
+                0x82: bytes.fromhex("01 02 03 05 08 09 0A 0D 0E 10 1C 34 36 37 40 41 42 43 46 49"),
+                0x91: bytes.fromhex("04 05 06 12 14"),
+                0x92: bytes.fromhex("03 04 05 06 12 14"),
+                0x93: bytes.fromhex("30 31"),
+                0xFF: bytes.fromhex("D3"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x54),  # filter.multi_antenna_offset
-                    (0x0D, 0x63),  # filter.wheeled_vehicle_constraint_control
-                    (0x92, 0x0B),  # gnss_2.fix_info
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("0F 30"),
+                0x0D: bytes.fromhex("01 50 54 63"),
+                0x92: bytes.fromhex("0B"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0C, 0x43),  # 3dm.odometer_config
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0x0D, 0x55),  # filter.relative_position_config
-                    (0x0D, 0x56),  # filter.reference_point_lever_arm
-                    (0x0D, 0x61),  # filter.speed_lever_arm
-                    (0x0E, 0x02),  # gnss.signal_config
-                    (0x0E, 0x10),  # gnss.rtk_dongle_config
-                }
-            ),
-            (),
+            {
+                0x0C: bytes.fromhex("0C 10 22 28 41 43"),
+                0x0D: bytes.fromhex("53 55 56 61"),
+                0x0E: bytes.fromhex("02 10"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (PX4: Driver of the vendor's sensors).",
-            frozenset(
-                {
-                    (0x91, 0x07),  # gnss_1.dop
-                    (0x91, 0x11),  # gnss_1.gps_leap_seconds
-                    (0x92, 0x07),  # gnss_2.dop
-                    (0x92, 0x11),  # gnss_2.gps_leap_seconds
-                }
-            ),
-            (),
+            {0x91: bytes.fromhex("07 11"), 0x92: bytes.fromhex("07 11")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0E, 0x01),  # gnss.receiver_info
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x35),  # filter_data.multi_antenna_offset_correction_uncertainty
-                    (0x82, 0x47),  # filter_data.odometer_scale_factor_error
-                    (0x82, 0x48),  # filter_data.odometer_scale_factor_error_uncertainty
-                    (0x91, 0x08),  # gnss_1.utc_time
-                    (0x91, 0x09),  # gnss_1.gps_time
-                    (0x91, 0x0D),  # gnss_1.hardware_status
-                    (0x91, 0x10),  # gnss_1.clock_info_2
-                    (0x91, 0x20),  # gnss_1.satellite_status
-                    (0x91, 0x22),  # gnss_1.raw
-                    (0x91, 0x61),  # gnss_1.gps_ephemeris
-                    (0x91, 0x62),  # gnss_1.glonass_ephemeris
-                    (0x91, 0x63),  # gnss_1.galileo_ephemeris
-                    (0x91, 0x64),  # gnss_1.beidou_ephemeris
-                    (0x92, 0x08),  # gnss_2.utc_time
-                    (0x92, 0x09),  # gnss_2.gps_time
-                    (0x92, 0x10),  # gnss_2.clock_info_2
-                    (0x92, 0x20),  # gnss_2.satellite_status
-                    (0x92, 0x22),  # gnss_2.raw
-                    (0x92, 0x61),  # gnss_2.gps_ephemeris
-                    (0x92, 0x62),  # gnss_2.glonass_ephemeris
-                    (0x92, 0x63),  # gnss_2.galileo_ephemeris
-                    (0x92, 0x64),  # gnss_2.beidou_ephemeris
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 72 7E"),
+                0x0C: bytes.fromhex("0D 11 2A 2B 2C 2D 2E 2F 32 33 37 38 3A 3B 51 52 53"),
+                0x0D: bytes.fromhex("03 17 1A 1B 1C 1D 1F 28"),
+                0x0E: bytes.fromhex("01"),
+                0x13: bytes.fromhex("01 1F 31"),
+                0x80: bytes.fromhex("09 0C"),
+                0x82: bytes.fromhex("04 06 07 0B 0C 12 13 15 21 35 47 48"),
+                0x91: bytes.fromhex("08 09 0D 10 20 22 61 62 63 64"),
+                0x92: bytes.fromhex("08 09 10 20 22 61 62 63 64"),
+                0xA0: bytes.fromhex("02 03"),
+                0xFF: bytes.fromhex("D0 D4 D5 D6 D7 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000, 0x91: 2, 0x92: 2, 0x93: 0},
     ports=(
         Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA"), ("MIP", "NMEA")),
@@ -4261,16 +2209,13 @@ GQ7 = Device(
         ),
     },
     readings={
-        "base.comm_speed.port": types.CommInterface,
         "base.built_in_test_response.result": types.Cv7BuiltInTest,
         "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
-        "base.comm_speed_response.port": types.CommInterface,
         "filter_data.status.filter_state": filter_data.Cv7FilterState,
         "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "The baud rates of the Aux port are not known, nor all of its protocols.",
@@ -4301,151 +2246,59 @@ GV7_AHRS = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x10),  # filter_data.status
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 06"),
+                0x0C: bytes.fromhex("0E 0F 2B 2E 2F 30 31 39"),
+                0x0D: bytes.fromhex("01 50"),
+                0x82: bytes.fromhex("05 10"),
+                0xFF: bytes.fromhex("D0 D3"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("43 53"), 0xA0: bytes.fromhex("02")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x41)  # 3dm.gpio_config
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("41")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 06 0A 0B 0D 0E 12 13 1C 21"),
+                0xA0: bytes.fromhex("03"),
+                0xFF: bytes.fromhex("D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 09 72 7E"),
+                0x0C: bytes.fromhex("0D 10 11 2A 2C 2D 32 33 37 38 3A 3B 42 50 51 52 53 54"),
+                0x0D: bytes.fromhex("03 1A 1B 1D 20 28"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -4493,11 +2346,8 @@ GV7_AHRS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Attitude and heading reference system. Generation 7. Model number 6288. No manual is known. This
 profile is incomplete: No manual is known.
@@ -4516,151 +2366,59 @@ GV7_AR = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x01),  # filter.reset
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x10),  # filter_data.status
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 06"),
+                0x0C: bytes.fromhex("0E 0F 2B 2E 2F 30 31 39"),
+                0x0D: bytes.fromhex("01"),
+                0x82: bytes.fromhex("05 10"),
+                0xFF: bytes.fromhex("D0 D3"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x53),  # filter.adaptive_filter_options
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("43 50 53"), 0xA0: bytes.fromhex("02")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x41)  # 3dm.gpio_config
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("41")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 06 0A 0B 0D 0E 12 13 1C 21"),
+                0xA0: bytes.fromhex("03"),
+                0xFF: bytes.fromhex("D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 09 72 7E"),
+                0x0C: bytes.fromhex("0D 10 11 2A 2C 2D 32 33 37 38 3A 3B 42 50 51 52 53 54"),
+                0x0D: bytes.fromhex("03 1A 1B 1D 20 28"),
+                0x13: bytes.fromhex("01 1F 31 32"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -4708,11 +2466,8 @@ GV7_AR = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Attitude reference. Generation 7. Model number 6289. No manual is known. This profile is
 incomplete: No manual is known.
@@ -4731,190 +2486,68 @@ GV7_INS = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x0E),  # 3dm.get_base_rate
-                    (0x0C, 0x0F),  # 3dm.message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x50),  # filter.aiding_measurement_enable
-                    (0x0D, 0x52),  # filter.initialization_config
-                    (0x13, 0x01),  # aiding.frame_config
-                    (0x13, 0x22),  # aiding.llh_position
-                    (0x13, 0x29),  # aiding.ned_velocity
-                    (0x13, 0x2A),  # aiding.body_frame_velocity
-                    (0x13, 0x31),  # aiding.true_heading
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x10),  # filter_data.status
-                    (0xFF, 0xD3),  # shared.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 06"),
+                0x0C: bytes.fromhex("0E 0F 30 39"),
+                0x0D: bytes.fromhex("01 50 52"),
+                0x13: bytes.fromhex("01 22 29 2A 31"),
+                0x82: bytes.fromhex("01 02 05 10"),
+                0xFF: bytes.fromhex("D3"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver of the vendor: Example configurations).",
-            frozenset(
-                {
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x0C, 0x28),  # 3dm.pps_source_control
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x0C, 0x42),  # 3dm.gpio_state
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x55),  # filter.relative_position_config
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x42),  # filter_data.ned_relative_position
-                    (0x82, 0x46),  # filter_data.aiding_measurement_summary
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("09"),
+                0x0C: bytes.fromhex("28 41 42"),
+                0x0D: bytes.fromhex("13 43 55"),
+                0x82: bytes.fromhex("36 40 42 46"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0D, 0x53)  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0xA0, 0x02),  # system_data.time_sync_status
-                    (0xA0, 0x03),  # system_data.gpio_state
-                    (0xFF, 0xD5),  # shared.reference_timestamp
-                    (0xFF, 0xD7),  # shared.external_timestamp
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
+                0x82: bytes.fromhex("03 06 07 0A 0B 0C 0D 0E 12 13 1C 21"),
+                0xA0: bytes.fromhex("02 03"),
+                0xFF: bytes.fromhex("D5 D7"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x08),  # base.continuous_built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x04),  # 3dm.poll_nmea_data
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x0D),  # 3dm.poll_data
-                    (0x0C, 0x10),  # 3dm.factory_streaming
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x2A),  # 3dm.get_event_support
-                    (0x0C, 0x2B),  # 3dm.event_control
-                    (0x0C, 0x2C),  # 3dm.get_event_trigger_status
-                    (0x0C, 0x2D),  # 3dm.get_event_action_status
-                    (0x0C, 0x2E),  # 3dm.event_trigger_config
-                    (0x0C, 0x2F),  # 3dm.event_action_config
-                    (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
-                    (0x0C, 0x32),  # 3dm.sensor_to_vehicle_transform_quaternion
-                    (0x0C, 0x33),  # 3dm.sensor_to_vehicle_transform_dcm
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x52),  # 3dm.sensor_range
-                    (0x0C, 0x53),  # 3dm.get_calibrated_sensor_ranges
-                    (0x0C, 0x54),  # 3dm.low_pass_filter
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x05),  # filter.run
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x56),  # filter.reference_point_lever_arm
-                    (0x13, 0x1F),  # aiding.echo_control
-                    (0x13, 0x21),  # aiding.ecef_position
-                    (0x13, 0x23),  # aiding.height_above_ellipsoid
-                    (0x13, 0x28),  # aiding.ecef_velocity
-                    (0x13, 0x32),  # aiding.magnetic_field
-                    (0x13, 0x33),  # aiding.pressure
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x14),  # sensor.temperature_statistics
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x50),  # filter_data.aiding_frame_config_error
-                    (0x82, 0x51),  # filter_data.aiding_frame_config_error_uncertainty
-                    (0x94, 0x03),  # gnss_external.llh_position
-                    (0x94, 0x05),  # gnss_external.ned_velocity
-                    (0x94, 0x08),  # gnss_external.utc_time
-                    (0x94, 0x0B),  # gnss_external.fix_info
-                    (0x94, 0x20),  # gnss_external.satellite_status
-                    (0xA0, 0x01),  # system_data.built_in_test
-                    (0xFF, 0xD0),  # shared.event_source
-                    (0xFF, 0xD4),  # shared.delta_time
-                    (0xFF, 0xD6),  # shared.reference_time_delta
-                    (0xFF, 0xD8),  # shared.external_time_delta
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 08 72 7E"),
+                0x0C: bytes.fromhex(
+                    "04 0C 0D 10 11 2A 2B 2C 2D 2E 2F 31 32 33 37 38 3A 3B 50 51 52 53 54"
+                ),
+                0x0D: bytes.fromhex("03 05 15 17 1A 1B 1C 1D 1F 20 28 56"),
+                0x13: bytes.fromhex("1F 21 23 28 32 33"),
+                0x80: bytes.fromhex("07 08 14 18"),
+                0x82: bytes.fromhex("04 08 09 15 37 41 43 50 51"),
+                0x94: bytes.fromhex("03 05 08 0B 20"),
+                0xA0: bytes.fromhex("01"),
+                0xFF: bytes.fromhex("D0 D4 D6 D8"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
     ports=(
         Port("Main", 1, (), ("MIP",), ("MIP",)),
@@ -4967,11 +2600,8 @@ GV7_INS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Inertial navigation system. Generation 7. Model number 6290. No manual is known. This profile is
 incomplete: No manual is known.
@@ -4990,56 +2620,29 @@ GX3_15 = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x35)  # 3dm.imu_signal_conditioning
-                }
-            ),
+            {0x0C: bytes.fromhex("35")},
             ((12, 60),),
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX3-35.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x36),  # 3dm.imu_timestamp
-                    (0x0C, 0x61),  # 3dm.device_power_state
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06"),
+                0x0C: bytes.fromhex("01 06 08 11 36 61 64"),
+                0x80: bytes.fromhex("04 05 06"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
     ),
-    also=(),
     generation=3,
-    manual=None,
 )
 """Inertial sensor of generation 3. Generation 3. Model number 6227. No manual is known. This
 profile is incomplete: Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later)
@@ -5059,114 +2662,56 @@ GX3_25 = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0C, 0x35)  # 3dm.imu_signal_conditioning
-                }
-            ),
+            {0x0C: bytes.fromhex("35")},
             ((12, 60), (12, 61)),
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x0C, 0x61)  # 3dm.device_power_state
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("61")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX3-35.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x36),  # 3dm.imu_timestamp
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06"),
+                0x0C: bytes.fromhex("01 06 08 11 36 64"),
+                0x80: bytes.fromhex("04 05 06"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (ROS driver of the vendor: Issue 347).",
-            frozenset(
-                {
-                    (0x0C, 0x0C),  # 3dm.nmea_message_format
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x43),  # 3dm.odometer_config
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x54),  # filter.multi_antenna_offset
-                    (0x0E, 0x02),  # gnss.signal_config
-                    (0x0E, 0x10),  # gnss.rtk_dongle_config
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x36),  # filter_data.ecef_position_uncertainty
-                    (0x82, 0x37),  # filter_data.ecef_velocity_uncertainty
-                    (0x82, 0x40),  # filter_data.ecef_position
-                    (0x82, 0x41),  # filter_data.ecef_velocity
-                }
-            ),
-            (),
+            {
+                0x0C: bytes.fromhex("0C 22 43"),
+                0x0D: bytes.fromhex("10 13 43 54"),
+                0x0E: bytes.fromhex("02 10"),
+                0x82: bytes.fromhex("01 02 03 08 09 0A 0E 10 36 37 40 41"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213).",
-            frozenset(
-                {
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x91, 0x03),  # gnss_1.llh_position
-                    (0x91, 0x05),  # gnss_1.ned_velocity
-                    (0x91, 0x0B),  # gnss_1.fix_info
-                }
-            ),
-            (),
+            {
+                0x81: bytes.fromhex("03 05 0B"),
+                0x82: bytes.fromhex("43"),
+                0x91: bytes.fromhex("03 05 0B"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
     ),
-    also=(),
     generation=3,
-    manual=None,
 )
 """Inertial sensor of generation 3. Generation 3. Model number 6223. No manual is known. This
 profile is incomplete: Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later)
@@ -5186,64 +2731,29 @@ GX3_35 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x34),  # 3dm.gps_dynamics_mode
-                    (0x0C, 0x35),  # 3dm.imu_signal_conditioning
-                    (0x0C, 0x36),  # 3dm.imu_timestamp
-                    (0x0C, 0x60),  # 3dm.data_stream_format
-                    (0x0C, 0x61),  # 3dm.device_power_state
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06"),
+                0x0C: bytes.fromhex("01 02 06 07 08 09 11 34 35 36 60 61 64"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x0C, 0x62)  # 3dm.gps_advanced_settings
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("62")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={"receiver": Note("Receiver", "The GNSS receiver is of u-blox.", ())},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("Its manual (1.00 of 2011-01-04) is not known.",),
-    also=(),
     generation=3,
-    manual=None,
 )
 """Inertial sensor of generation 3. Generation 3. Model number 6225. No manual is known. This
 profile is incomplete: Its manual (1.00 of 2011-01-04) is not known.
@@ -5263,92 +2773,36 @@ GX3_45 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x04),  # filter.set_initial_attitude_from_imu
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("06 07 08 09 0A 0B 11"),
+                0x0D: bytes.fromhex("01 02 03 04 10 11 12 13 14 15 18 19 1A 1B 1D"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+                0x82: bytes.fromhex("01 02 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("44 45")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX3-35.",
-            frozenset(
-                {
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x35),  # 3dm.imu_signal_conditioning
-                    (0x0C, 0x36),  # 3dm.imu_timestamp
-                    (0x0C, 0x64),  # 3dm.device_status
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("06"), 0x0C: bytes.fromhex("01 02 35 36 64")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=3,
-    manual=None,
 )
 """Inertial sensor of generation 3. Generation 3. Model number 6228. No manual is known. This
 profile is incomplete: No manual is known. Uncertain: The SDK of 2014 has the model number 6226.
@@ -5368,100 +2822,34 @@ GX4_15 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 37 38 39 51 64"),
+                0x0D: bytes.fromhex("01 02 03 14 19 1A 1B 1D 20 21 23 26 44"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x82: bytes.fromhex("05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0D, 0x45)  # filter.mag_magnitude_error_adaptive_measurement
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("45")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX4-25.",
-            frozenset(
-                {
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("06 7E"),
+                0x0C: bytes.fromhex("30 3E 40 50"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0E 0F 10 11 12 13"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -5481,11 +2869,8 @@ GX4_15 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=4,
-    manual=None,
 )
 """Device of generation 4. Generation 4. Model number 6233. No manual is known. This profile is
 incomplete: No manual is known.
@@ -5504,123 +2889,48 @@ GX4_25 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 37 38 39 3A 3B 51 64"),
+                0x0D: bytes.fromhex(
+                    "01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 42 43 44 45 46"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x82: bytes.fromhex("05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (Public programs of users: Driver imu_3dm_gx4).",
-            frozenset(
-                {
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("06"),
+                0x0C: bytes.fromhex("40"),
+                0x0D: bytes.fromhex("41"),
+                0x80: bytes.fromhex("17"),
+                0x82: bytes.fromhex("03 06 0A 0B"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-25.",
-            frozenset(
-                {
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("7E"),
+                0x0C: bytes.fromhex("30 3E 50"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 12"),
+                0x82: bytes.fromhex("04 0D 0E 0F 10 11 12 13 14 15"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (MicroStrain Communication Library: Issue 30).",
-            frozenset(
-                {
-                    (0x82, 0x07)  # filter_data.accel_bias
-                }
-            ),
-            (),
+            {0x82: bytes.fromhex("07")},
         ),
     ),
-    functions={},
     base_rates={0x80: 1000, 0x82: 500},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -5640,11 +2950,8 @@ GX4_25 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("Its manual (of 2014-12-23) is not known.",),
-    also=(),
     generation=4,
-    manual=None,
 )
 """Device of generation 4. Generation 4. Model number 6234. No manual is known. This profile is
 incomplete: Its manual (of 2014-12-23) is not known. Uncertain: A ROS driver by others uses the
@@ -5664,116 +2971,31 @@ GX4_45 = Device(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05"),
+                0x0C: bytes.fromhex("01 02 03 06 07 08 09 0A 0B 11 37 38 39 3A 3B 51 64"),
+                0x0D: bytes.fromhex(
+                    "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+                0x82: bytes.fromhex("01 02 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-25.",
-            frozenset(
-                {
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("06 7E"),
+                0x0C: bytes.fromhex("30 3E 40 50"),
+                0x80: bytes.fromhex("07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex("03 04 06 0A 0B 0D 0E 0F 10 11 12 13 14 15"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -5793,11 +3015,8 @@ GX4_45 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
-    also=(),
     generation=4,
-    manual=None,
 )
 """Device of generation 4. Generation 4. Model number 6236. No manual is known. This profile is
 incomplete: No manual is known.
@@ -5816,54 +3035,24 @@ GX5_10 = Device(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 06 07"),
+                0x0C: bytes.fromhex("06 08 30"),
+                0x80: bytes.fromhex("04 05"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
+                0x80: bytes.fromhex("07 08 12"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -5876,11 +3065,9 @@ GX5_10 = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-GX5-IMU",),
     generation=5,
-    manual=None,
 )
 """Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is
 known. This profile is incomplete: No manual is known.
@@ -5898,97 +3085,21 @@ GX5_15 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 07 72 7E"),
+                0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 30 37 38 39 3E 40 50 51 64"),
+                0x0D: bytes.fromhex("01 02 03 11 14 17 18 19 1A 1B 1D 1F 20 21 23 26 28 41 44 4B"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex("03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 1C 21"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (MicroStrain Communication Library: Issue 301).",
-            frozenset(
-                {
-                    (0x80, 0x01),  # sensor.raw_accel
-                    (0x80, 0x02),  # sensor.raw_gyro
-                }
-            ),
-            (),
+            {0x80: bytes.fromhex("01 02")},
         ),
     ),
     functions={(0x0D, 0x21): "WSLD"},
@@ -6056,7 +3167,6 @@ GX5_15 = Device(
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5]),
-    incomplete=(),
     also=("3DM-GX5-AR",),
     generation=5,
     manual="3dm-gx5-15",
@@ -6079,213 +3189,91 @@ GX5_25 = Device(
             Support.PROBABLE,
             "transcribed",
             "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
-            frozenset(
-                {
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("04 05 06 07 08 09 0A 0C 10 11 12 17"),
+                0x82: bytes.fromhex(
+                    "03 04 05 06 0A 0B 0D 0E 0F 10 11 12 13 14 15 1C 21 25 26 28 29"
+                ),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 06"),
+                0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
+                0x0D: bytes.fromhex("11 19"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x18),  # filter.heading_source
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
-            frozenset(
-                {
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x26),  # filter.reference_position
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                }
-            ),
-            (),
+            {
+                0x0C: bytes.fromhex("11 37 38 3A 3B 3E 51 64"),
+                0x0D: bytes.fromhex("02 03 14 1A 1B 1D 1E 20 21 26 44"),
+                0x7F: bytes.fromhex("10"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver microstrain_mips: Conditions by model).",
-            frozenset(
-                {
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("42 45")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x41),  # filter.enable_measurements
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72 7E"),
+                0x0C: bytes.fromhex("01 03 40 50"),
+                0x0D: bytes.fromhex("17 1F 23 27 28 29 2B 2C 41 43 46 47 4B"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (ROS driver of the vendor: Issue 238).",
-            frozenset(
-                {
-                    (0x0C, 0x41),  # 3dm.gpio_config
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x82, 0x43),  # filter_data.gnss_position_aiding_status
-                    (0x82, 0x49),  # filter_data.gnss_dual_antenna_status
-                    (0x91, 0x03),  # gnss_1.llh_position
-                    (0x91, 0x0B),  # gnss_1.fix_info
-                    (0x93, 0x31),  # gnss_corrections.rtk_corrections_status
-                }
-            ),
-            (),
+            {
+                0x0C: bytes.fromhex("41"),
+                0x81: bytes.fromhex("03 0B"),
+                0x82: bytes.fromhex("43 49"),
+                0x91: bytes.fromhex("03 0B"),
+                0x93: bytes.fromhex("31"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368).",
-            frozenset(
-                {
-                    (0x80, 0x18),  # sensor.overrange_status
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x92, 0x0B),  # gnss_2.fix_info
-                    (0x92, 0x12),  # gnss_2.sbas_info
-                    (0x92, 0x14),  # gnss_2.rf_error_detection
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("18"),
+                0x82: bytes.fromhex("01 08"),
+                0x92: bytes.fromhex("0B 12 14"),
+            },
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200).",
-            frozenset(
-                {
-                    (0x82, 0x02)  # filter_data.ned_velocity
-                }
-            ),
-            (),
+            {0x82: bytes.fromhex("02")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "device_status": Note(
             "Device status",
@@ -6301,11 +3289,9 @@ GX5_25 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("Its manual (8500-0065) is not known.",),
     also=("3DM-GX5-AHRS",),
     generation=5,
-    manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-GX5-AHRS. Generation 5. Model number 6253.
 No manual is known. This profile is incomplete: Its manual (8500-0065) is not known.
@@ -6323,94 +3309,34 @@ GX5_35 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x81, 0x06),  # gnss_data.ecef_velocity
-                    (0x81, 0x0E),  # gnss_data.dgps_info
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 03 04 07 72"),
+                0x0C: bytes.fromhex("01 07 08 09 11 21 22 23 24 30 37 39 3B 51 64"),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06 07 11 12 17"),
+                0x81: bytes.fromhex("06 0E"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("02 06"), 0x0C: bytes.fromhex("06")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x04),  # gnss_data.ecef_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x07),  # gnss_data.dop
-                    (0x81, 0x08),  # gnss_data.utc_time
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x81, 0x0A),  # gnss_data.clock_info
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x81, 0x0C),  # gnss_data.sv_info
-                    (0x81, 0x0D),  # gnss_data.hardware_status
-                    (0x81, 0x0F),  # gnss_data.dgps_channel
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 7E"),
+                0x0C: bytes.fromhex("02 38 3A 3E 40 50"),
+                0x80: bytes.fromhex("08 09 0A 0C 10"),
+                0x81: bytes.fromhex("03 04 05 07 08 09 0A 0B 0C 0D 0F"),
+            },
         ),
     ),
-    functions={},
     base_rates={0x80: 500, 0x81: 4},
-    ports=(),
     limits={
         "reserved_gnss_channels": Limit(
             32, None, "Sum of the channels that constellations reserve."
@@ -6438,7 +3364,6 @@ GX5_35 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
         "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
     also=("3DM-GX5-GNSS/AHRS",),
     generation=5,
@@ -6462,239 +3387,93 @@ GX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x27),  # filter.mag_capture_auto_calibration
-                    (0x0D, 0x28),  # filter.gravity_noise
-                    (0x0D, 0x29),  # filter.pressure_altitude_noise
-                    (0x0D, 0x2B),  # filter.hard_iron_offset_noise
-                    (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x0D, 0x47),  # filter.altitude_aiding
-                    (0x0D, 0x4B),  # filter.pitch_roll_aiding
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x0C),  # gnss_data.sv_info
-                    (0x81, 0x0D),  # gnss_data.hardware_status
-                    (0x81, 0x0E),  # gnss_data.dgps_info
-                    (0x81, 0x0F),  # gnss_data.dgps_channel
-                    (0x82, 0x04),  # filter_data.attitude_dcm
-                    (0x82, 0x05),  # filter_data.euler_angles
-                    (0x82, 0x0E),  # filter_data.comp_angular_rate
-                    (0x82, 0x14),  # filter_data.heading_update_state
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("03 7E"),
+                0x0C: bytes.fromhex("02 03 06 07 08 09 0A 0B 20 30 3A 40 64"),
+                0x0D: bytes.fromhex(
+                    "03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 27 28 29 2B 2C 42 43 44 45 46 47 4B"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("0C 0D 0E 0F"),
+                0x82: bytes.fromhex("04 05 0E 14"),
+            },
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
-            frozenset(
-                {
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x07),  # base.get_extended_descriptors
-                }
-            ),
-            (),
+            "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
+            {0x01: bytes.fromhex("06 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x0D, 0x01),  # filter.reset
-                    (0x80, 0x12),  # sensor.gps_timestamp
-                    (0x81, 0x0B),  # gnss_data.fix_info
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x10),  # filter_data.status
-                    (0x82, 0x11),  # filter_data.timestamp
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02"),
+                0x0D: bytes.fromhex("01"),
+                0x80: bytes.fromhex("12"),
+                0x81: bytes.fromhex("0B"),
+                0x82: bytes.fromhex("01 02 10 11"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x0C, 0x39)  # 3dm.capture_gyro_bias
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("39")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
-            frozenset(
-                {
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x51),  # 3dm.complementary_filter
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x26),  # filter.reference_position
-                }
-            ),
-            (),
+            {0x0C: bytes.fromhex("11 37 38 3B 3E 51"), 0x0D: bytes.fromhex("02 26")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x0D, 0x53)  # filter.adaptive_filter_options
-                }
-            ),
-            (),
+            {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
             "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
-            frozenset(
-                {
-                    (0x80, 0x0A),  # sensor.comp_quaternion
-                    (0x80, 0x17),  # sensor.scaled_pressure
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x07),  # gnss_data.dop
-                    (0x82, 0x03),  # filter_data.attitude_quaternion
-                }
-            ),
-            (),
+            {
+                0x80: bytes.fromhex("0A 17"),
+                0x81: bytes.fromhex("03 05 07"),
+                0x82: bytes.fromhex("03"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "family",
             "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
-            frozenset(
-                {
-                    (0x01, 0x04)  # base.get_device_descriptors
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("04")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35.",
-            frozenset(
-                {
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x72),  # base.gps_time_update
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x21),  # 3dm.constellation_settings
-                    (0x0C, 0x22),  # 3dm.gnss_sbas_settings
-                    (0x0C, 0x23),  # 3dm.gnss_assisted_fix
-                    (0x0C, 0x24),  # 3dm.gnss_time_assistance
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x80, 0x07),  # sensor.delta_theta
-                    (0x80, 0x08),  # sensor.delta_velocity
-                    (0x80, 0x09),  # sensor.comp_orientation_matrix
-                    (0x80, 0x0C),  # sensor.comp_euler_angles
-                    (0x80, 0x10),  # sensor.north_vector
-                    (0x80, 0x11),  # sensor.up_vector
-                    (0x81, 0x04),  # gnss_data.ecef_position
-                    (0x81, 0x06),  # gnss_data.ecef_velocity
-                    (0x81, 0x08),  # gnss_data.utc_time
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x81, 0x0A),  # gnss_data.clock_info
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("05 72"),
+                0x0C: bytes.fromhex("01 21 22 23 24 50"),
+                0x80: bytes.fromhex("07 08 09 0C 10 11"),
+                0x81: bytes.fromhex("04 06 08 09 0A"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
-            frozenset(
-                {
-                    (0x82, 0x06),  # filter_data.gyro_bias
-                    (0x82, 0x07),  # filter_data.accel_bias
-                    (0x82, 0x08),  # filter_data.llh_position_uncertainty
-                    (0x82, 0x09),  # filter_data.ned_velocity_uncertainty
-                    (0x82, 0x0A),  # filter_data.euler_angles_uncertainty
-                    (0x82, 0x0B),  # filter_data.gyro_bias_uncertainty
-                    (0x82, 0x0C),  # filter_data.accel_bias_uncertainty
-                    (0x82, 0x0D),  # filter_data.linear_accel
-                    (0x82, 0x0F),  # filter_data.wgs84_gravity_magnitude
-                    (0x82, 0x12),  # filter_data.quaternion_attitude_uncertainty
-                    (0x82, 0x13),  # filter_data.gravity_vector
-                    (0x82, 0x15),  # filter_data.magnetic_model
-                    (0x82, 0x1C),  # filter_data.comp_accel
-                    (0x82, 0x20),  # filter_data.standard_atmosphere
-                    (0x82, 0x21),  # filter_data.pressure_altitude
-                    (0x82, 0x25),  # filter_data.mag_offset
-                    (0x82, 0x26),  # filter_data.mag_matrix
-                    (0x82, 0x28),  # filter_data.mag_offset_uncertainty
-                    (0x82, 0x29),  # filter_data.mag_matrix_uncertainty
-                }
-            ),
-            (),
+            {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
         Evidence(
             Support.NO,
             "refused",
             "The device refuses it (MicroStrain Communication Library: Issue 43).",
-            frozenset(
-                {
-                    (0x80, 0x01)  # sensor.raw_accel
-                }
-            ),
-            (),
+            {0x80: bytes.fromhex("01")},
         ),
     ),
     functions={(0x0D, 0x21): "WSLD"},
@@ -6735,7 +3514,6 @@ GX5_45 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
         "Only four fields of the filter data are listed; the manual has 27 or more.",
@@ -6769,23 +3547,10 @@ MV5_AR = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x06),  # base.resume
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                }
-            ),
-            (),
+            {0x01: bytes.fromhex("01 02 03 04 06"), 0x0C: bytes.fromhex("11")},
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "j1939": Note(
             "J1939",
@@ -6812,11 +3577,9 @@ MV5_AR = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=("No manual is known.",),
     also=("3DM-MV5-15",),
     generation=5,
-    manual=None,
 )
 """Device of generation 5. Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is
 known. This profile is incomplete: No manual is known.
@@ -6834,94 +3597,31 @@ RQ1_45_LT = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 7E"),
+                0x0C: bytes.fromhex(
+                    "01 02 03 06 07 08 09 0A 0B 11 20 30 37 38 39 3A 3B 3E 40 50 64"
+                ),
+                0x0D: bytes.fromhex("01 02 03"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "example",
             "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
-            frozenset(
-                {
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x0D: bytes.fromhex(
+                    "10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+                0x82: bytes.fromhex("01 02 05"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -6943,7 +3643,6 @@ RQ1_45_LT = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
@@ -6972,94 +3671,31 @@ RQ1_45_ST = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its manual has it.",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x01),  # 3dm.poll_imu_data
-                    (0x0C, 0x02),  # 3dm.poll_gnss_data
-                    (0x0C, 0x03),  # 3dm.poll_filter_data
-                    (0x0C, 0x06),  # 3dm.get_imu_base_rate
-                    (0x0C, 0x07),  # 3dm.get_gnss_base_rate
-                    (0x0C, 0x08),  # 3dm.imu_message_format
-                    (0x0C, 0x09),  # 3dm.gnss_message_format
-                    (0x0C, 0x0A),  # 3dm.filter_message_format
-                    (0x0C, 0x0B),  # 3dm.get_filter_base_rate
-                    (0x0C, 0x11),  # 3dm.data_stream_control
-                    (0x0C, 0x20),  # 3dm.raw_rtcm_2_3_message
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0C, 0x37),  # 3dm.accel_bias
-                    (0x0C, 0x38),  # 3dm.gyro_bias
-                    (0x0C, 0x39),  # 3dm.capture_gyro_bias
-                    (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
-                    (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
-                    (0x0C, 0x3E),  # 3dm.coning_sculling_enable
-                    (0x0C, 0x40),  # 3dm.uart_baud_rate
-                    (0x0C, 0x50),  # 3dm.imu_low_pass_filter
-                    (0x0C, 0x64),  # 3dm.device_status
-                    (0x0D, 0x01),  # filter.reset
-                    (0x0D, 0x02),  # filter.set_initial_attitude
-                    (0x0D, 0x03),  # filter.set_initial_heading
-                }
-            ),
-            (),
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 7E"),
+                0x0C: bytes.fromhex(
+                    "01 02 03 06 07 08 09 0A 0B 11 20 30 37 38 39 3A 3B 3E 40 50 64"
+                ),
+                0x0D: bytes.fromhex("01 02 03"),
+            },
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
             "A nearly equal device has it, 3DM-RQ1-45-LT.",
-            frozenset(
-                {
-                    (0x0D, 0x10),  # filter.vehicle_dynamics_mode
-                    (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
-                    (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
-                    (0x0D, 0x13),  # filter.antenna_offset
-                    (0x0D, 0x14),  # filter.estimation_control
-                    (0x0D, 0x15),  # filter.gnss_source
-                    (0x0D, 0x16),  # filter.external_gnss_update
-                    (0x0D, 0x17),  # filter.external_heading_update
-                    (0x0D, 0x18),  # filter.heading_source
-                    (0x0D, 0x19),  # filter.auto_initialization_control
-                    (0x0D, 0x1A),  # filter.accel_noise
-                    (0x0D, 0x1B),  # filter.gyro_noise
-                    (0x0D, 0x1C),  # filter.accel_bias_model
-                    (0x0D, 0x1D),  # filter.gyro_bias_model
-                    (0x0D, 0x1E),  # filter.auto_zupt
-                    (0x0D, 0x1F),  # filter.external_heading_update_with_time
-                    (0x0D, 0x20),  # filter.auto_angular_zupt
-                    (0x0D, 0x21),  # filter.tare_orientation
-                    (0x0D, 0x22),  # filter.commanded_zupt
-                    (0x0D, 0x23),  # filter.commanded_angular_zupt
-                    (0x0D, 0x42),  # filter.mag_noise
-                    (0x0D, 0x43),  # filter.magnetic_declination_source
-                    (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
-                    (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
-                    (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
-                    (0x7F, 0x10),  # system.comm_mode
-                    (0x80, 0x04),  # sensor.scaled_accel
-                    (0x80, 0x05),  # sensor.scaled_gyro
-                    (0x80, 0x06),  # sensor.scaled_mag
-                    (0x81, 0x03),  # gnss_data.llh_position
-                    (0x81, 0x05),  # gnss_data.ned_velocity
-                    (0x81, 0x09),  # gnss_data.gps_time
-                    (0x82, 0x01),  # filter_data.llh_position
-                    (0x82, 0x02),  # filter_data.ned_velocity
-                    (0x82, 0x05),  # filter_data.euler_angles
-                }
-            ),
-            (),
+            {
+                0x0D: bytes.fromhex(
+                    "10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
+                ),
+                0x7F: bytes.fromhex("10"),
+                0x80: bytes.fromhex("04 05 06"),
+                0x81: bytes.fromhex("03 05 09"),
+                0x82: bytes.fromhex("01 02 05"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
     notes={
         "direct_mode": Note(
             "Direct modes",
@@ -7081,7 +3717,6 @@ RQ1_45_ST = Device(
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
-    ack_codes=frozenset([]),
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
@@ -7111,40 +3746,18 @@ RTK = Device(
             Support.PROBABLE,
             "software",
             "Software for it uses it (MicroStrain Communication Library: MIP node features).",
-            frozenset(
-                {
-                    (0x01, 0x01),  # base.ping
-                    (0x01, 0x02),  # base.set_idle
-                    (0x01, 0x03),  # base.get_device_info
-                    (0x01, 0x04),  # base.get_device_descriptors
-                    (0x01, 0x05),  # base.built_in_test
-                    (0x01, 0x06),  # base.resume
-                    (0x01, 0x09),  # base.comm_speed
-                    (0x01, 0x7E),  # base.soft_reset
-                    (0x0C, 0x30),  # 3dm.device_settings
-                    (0x0F, 0x01),  # rtk.get_status_flags
-                    (0x0F, 0x07),  # rtk.get_activation_code
-                    (0x7F, 0x10),  # system.comm_mode
-                }
-            ),
-            (),
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 09 7E"),
+                0x0C: bytes.fromhex("30"),
+                0x0F: bytes.fromhex("01 07"),
+                0x7F: bytes.fromhex("10"),
+            },
         ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={
-        "base.comm_speed.port": types.CommInterface,
-        "base.built_in_test_response.result": types.Cv7BuiltInTest,
-        "base.comm_speed_response.port": types.CommInterface,
-    },
-    ack_codes=frozenset([]),
+    readings={"base.built_in_test_response.result": types.Cv7BuiltInTest},
     incomplete=("No manual is known.",),
-    also=(),
     generation=7,
-    manual=None,
 )
 """Modem for GNSS corrections. Generation 7. Model number 6285. No manual is known. This profile is
 incomplete: No manual is known.
@@ -7199,13 +3812,8 @@ DEVICES: dict[str, Device] = {
 }
 
 
-def find(name: str) -> Device | None:
-    """A device by its id, its title or another name."""
-    return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
-
-
 def by_name(name: str) -> Device:
-    """The same for any spelling, or for its last words ("gx5 15"); raises UnknownName, which gives the nearest."""
+    """A device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
     return DEVICES[device_id(name)]
 
 
@@ -7222,7 +3830,7 @@ def identify(info: DeviceInfo) -> Device | None:
 
 # fmt: off
 __all__ = [
-    "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name", "find",
+    "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name",
     "identify", "model_number",
     "CL5_10",
     "CL5_15",

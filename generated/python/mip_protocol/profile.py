@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
 from typing import Any, Protocol
-
-Key = tuple[int, int]  # descriptor set and descriptor
 
 
 class Support(Enum):
@@ -26,13 +23,10 @@ class Evidence:
     """Why a device is believed to have some fields, or not to have them."""
 
     answer: Support
-    kind: str
-    """From "documented" in its manual and "listed" by the device to concluded from a "sister"."""
+    kind: str  # "documented" in its manual, "listed" by the device, ... concluded from a "sister"
     why: str
-    fields: frozenset[Key]
-    """(set, descriptor) of commands and data."""
-    undefined: tuple[Key, ...] = ()
-    """The same of what the device lists and no layout is known of."""
+    descriptors: dict[int, bytes]  # set -> descriptors of commands and data
+    undefined: tuple[tuple[int, int], ...] = ()  # what else it lists, without a known layout
 
 
 @dataclass(frozen=True)
@@ -82,15 +76,14 @@ class Device:
     description: str
     model_number: int | None
     evidence: tuple[Evidence, ...]  # strongest first
-    functions: dict[Key, str]  # letters, where they differ from the definition
     base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arrives
-    ports: tuple[Port, ...]
-    limits: dict[str, Limit]
-    notes: dict[str, Note]
-    readings: dict[str, Any]  # "set.field.parameter" -> enumeration or bitfield to read it as
+    functions: dict[tuple[int, int], str] = field(default_factory=dict)  # where not as defined
+    ports: tuple[Port, ...] = ()
+    limits: dict[str, Limit] = field(default_factory=dict)
+    notes: dict[str, Note] = field(default_factory=dict)
+    readings: dict[str, Any] = field(default_factory=dict)  # "set.field.parameter" -> its type
     ack_codes: frozenset[int] = field(default_factory=frozenset)
-    incomplete: tuple[str, ...] = ()
-    """What is not known of it. If there are any sentences, it may have more than is listed."""
+    incomplete: tuple[str, ...] = ()  # what is not known: it may have more than is listed
     also: tuple[str, ...] = ()  # other names
     generation: int | None = None
     manual: str | None = None
@@ -99,44 +92,35 @@ class Device:
         return f"<Device {self.id}: {self.title}>"
 
     @cached_property
-    def fields(self) -> frozenset[Key]:
+    def fields(self) -> frozenset[tuple[int, int]]:
         """(set, descriptor) of the commands and data that it has for certain or probably."""
-        return self.certain.union(
-            *(e.fields for e in self.evidence if e.answer is Support.PROBABLE)
-        )
+        return self.certain | {k for k, e in self._said.items() if e.answer is Support.PROBABLE}
 
     @cached_property
-    def certain(self) -> frozenset[Key]:
-        """The same of those that it has for certain."""
-        return frozenset().union(*(e.fields for e in self.evidence if e.answer is Support.YES))
+    def certain(self) -> frozenset[tuple[int, int]]:
+        return frozenset(key for key, e in self._said.items() if e.answer is Support.YES)
+
+    @cached_property
+    def _said(self) -> dict[tuple[int, int], Evidence]:
+        return {(s, d): e for e in self.evidence for s, ds in e.descriptors.items() for d in ds}
 
     def has(self, set: int, descriptor: int) -> bool:
-        """Does it have this command or data field, for certain or probably? `support` tells these
-        apart."""
+        """Does it have this command or data field, for certain or probably?"""
         return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
 
     def support(self, set: int, descriptor: int) -> Support:
-        """Does it have this command or data field? Shared fields are had in every data set; of a
-        whole profile, what it does not list is `NO`."""
+        """Does it have it? Shared fields are had in every data set; a whole profile lists all."""
         found = self.why(set, descriptor)
-        if found is not None:
-            return found.answer
-        return Support.UNKNOWN if self.incomplete else Support.NO
+        return found.answer if found else Support.UNKNOWN if self.incomplete else Support.NO
 
     def why(self, set: int, descriptor: int) -> Evidence | None:
         """What says so; None if nothing does."""
-        found = self._evidence.get((set, descriptor))
-        return self._evidence.get((0xFF, descriptor)) if found is None and set >= 0x80 else found
-
-    @cached_property
-    def _evidence(self) -> Mapping[Key, Evidence]:
-        return {key: e for e in self.evidence for key in e.fields}
+        shared = self._said.get((0xFF, descriptor)) if set >= 0x80 else None
+        return self._said.get((set, descriptor), shared)
 
     def decimation(self, set: int, rate: float) -> int:
-        """The decimation that is closest to a desired rate in Hz; at least 1.
-
-        If the device can report its base rate, read it from the device.
-        """
+        """The decimation that is closest to a desired rate in Hz; at least 1. If the device can
+        report its base rate, read it from the device."""
         base = self.base_rates.get(set, 0.0)
         if not rate > 0:
             raise ValueError(f"a rate must be above 0 Hz, not {rate}")

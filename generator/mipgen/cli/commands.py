@@ -95,11 +95,10 @@ def _given(options: Namespace) -> str:
     """The options of a run, for a command that does the same."""
     given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
-    given += [("--certain", [""] if getattr(options, "certain", False) else [])]
     given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
     given += [("--plugin", options.plugins)]
-    said = (f" {option} {shlex.quote(str(value)) if value != '' else ''}" for option, values in given for value in values)
-    return "".join(said).rstrip()
+    certain = " --certain" if getattr(options, "certain", False) else ""
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values) + certain
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
@@ -179,13 +178,13 @@ def _load(options: Namespace) -> tuple[Model, str]:
     from mipgen.resolve.load import load_model
 
     whole = load_model(*_specs(options))
-    certain = getattr(options, "certain", False)
-    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS), certain=certain)
+    devices, sets, fields = (tuple(getattr(options, name, ())) for name in PARTS)
+    asked = subset.Selection(devices, sets, fields, getattr(options, "certain", False))
     if not asked:
         return whole, _summary(whole)
     part = subset.select(whole, asked)
-    devices = [describe.known(d) for d in whole.devices if d.id in asked.devices]
-    return part, "\n".join([*devices, subset.left_out(whole, part), _summary(part)])
+    known = [describe.known(d) for d in whole.devices if d.id in asked.devices]
+    return part, "\n".join([*known, subset.left_out(whole, part), _summary(part)])
 
 
 def _summary(model: Model) -> str:

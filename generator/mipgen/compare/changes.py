@@ -489,10 +489,13 @@ def _profiles(old: m.Device, new: m.Device) -> list[str]:
 
 
 def _profile(d: m.Device) -> dict[str, object]:
-    supports = tuple((s.set, s.field.descriptor, m.letters(s.functions), s.evidence.kind, s.deprecated) for s in d.supports)
+    said = tuple(
+        (s.set, s.field.descriptor, m.letters(s.functions), s.evidence.kind, s.firmware, s.deprecated)
+        for s in (*d.supports, *d.refuses)
+    )
     return {
         "identity": (d.title, d.description, d.also, d.model_number, d.generation, d.manual),
-        "fields": supports,
+        "fields": said,
         "base rates": tuple((r.set.number, r.hertz) for r in d.base_rates),
         "ports": d.ports,
         "limits": d.limits,

@@ -1,4 +1,4 @@
-"""What is said about devices, why they are believed to have what they have, and about the manuals that describe them."""
+"""What is said about devices, why they are believed to have what they have, and about their manuals."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
 #: Kind of evidence -> what it says; for those that are about other devices, what follows is the devices.
 _KINDS = {
-    "documented": "Its manual has it",
+    "documented": "Its documentation has it",
     "listed": "The device lists it",
     "transcribed": "A list by others after its manual has it",
     "example": "An example of the vendor for it uses it",
@@ -19,6 +19,7 @@ _KINDS = {
     "sister": "A nearly equal device has it",
     "refused": "The device refuses it",
 }
+
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
     """The facts about a device besides its description, its fields, and what differs there."""

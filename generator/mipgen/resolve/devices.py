@@ -225,7 +225,9 @@ class _Device:
     def evidence(self, node: Node) -> m.Evidence:
         kind, of = node["kind"].value, list(node.get("of") or ())
         if of and kind not in ("family", "sister"):
-            self.problems.add(node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister")
+            self.problems.add(
+                node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister"
+            )
         known = self.types.vocabulary.devices
         for name in of:
             if name.value not in known:
@@ -302,7 +304,10 @@ class _Device:
 
     def unsupported(self, key: str, entry: str, field: str) -> None:
         known = self.model.field(field)
-        if known is None:
+        if any(s.name == field for s in self.model.sets):
+            place = self.node[key].keys[entry]
+            self.problems.add(place, f"the device has nothing of the set '{field}'; remove it, or add what it has")
+        elif known is None:
             near = nearest(field, [f.full_name for f in self.model.fields])
             self.problems.add(self.node[key].keys[entry], f"unknown field '{field}'{near}")
         else:

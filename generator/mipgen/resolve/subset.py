@@ -25,7 +25,7 @@ class Selection:
     certain: bool = False  # of a device only what it has for certain
 
     def __bool__(self) -> bool:
-        return bool(self.devices or self.sets or self.fields)
+        return bool(self.devices or self.sets or self.fields or self.certain)
 
 
 def select(model: m.Model, selection: Selection) -> m.Model:
@@ -200,10 +200,14 @@ def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tupl
 
 def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:
     named = {f.full_name: f for f in fields.values()}
+    supports, refuses = (
+        tuple(replace(s, field=fields[s.name]) for s in said if s.name in fields) for said in (d.supports, d.refuses)
+    )
     return replace(
         d,
-        supports=tuple(replace(s, field=fields[s.name]) for s in d.supports if s.name in fields),
-        refuses=tuple(replace(s, field=fields[s.name]) for s in d.refuses if s.name in fields),
+        evidence=tuple(e for e in d.evidence if any(s.evidence == e for s in (*supports, *refuses))),
+        supports=supports,
+        refuses=refuses,
         base_rates=tuple(replace(r, set=sets[r.set.name]) for r in d.base_rates if r.set.name in sets),
         variants=tuple(replace(v, field=named[v.field.full_name]) for v in d.variants if v.field.full_name in named),
     )

@@ -148,10 +148,12 @@ static void devices(void) {
     CHECK(mip_profile_find("     model-a") == a && mip_profile_find("model-a    ") == a);
     CHECK(mip_profile_find("model-a b") == NULL && mip_profile_find("model- a") == NULL && mip_profile_find("model") == NULL);
     CHECK(a->model_number == 4711 && b->model_number == 0);
-    CHECK(is(mip_profile_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
-    CHECK(is(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
-    CHECK(is(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_PING_DESCRIPTOR)->functions, ""));
-    CHECK(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
+    CHECK(is(mip_profile_find_field(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
+    CHECK(is(mip_profile_find_field(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
+    CHECK(is(mip_profile_find_field(b, MIP_TOOLS_SET, MIP_TOOLS_PING_DESCRIPTOR)->functions, ""));
+    CHECK(mip_profile_find_field(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
+    CHECK(mip_profile_support(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == MIP_SUPPORT_NO);
+    CHECK(mip_profile_support(a, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == MIP_SUPPORT_YES);
     CHECK(mip_profile_base_rate(a, 0x80) > 999 && mip_profile_base_rate(a, 0x80) < 1001);
     CHECK(mip_profile_base_rate(b, 0x81) < 0);
     CHECK(is(mip_profile_reading_of(b, "protocol.acknowledge.code"), "mode"));
@@ -159,7 +161,7 @@ static void devices(void) {
     CHECK(mip_profile_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
     CHECK(is(mip_profile_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
     CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
-    CHECK(is(a->ports[0].protocols, "MIP, NMEA") && a->ports[1].baud_rate_count == 0);
+    CHECK(is(a->ports[0].receives, "MIP, NMEA") && is(a->ports[1].sends, "MIP") && a->ports[1].baud_rate_count == 0);
     CHECK(a->note_count == 1 && a->notes[0].rows == 3 && a->notes[0].columns == 2);
     CHECK(is(a->notes[0].cells[3], "pulse") && is(a->limits[1].unit, "g") && a->ack_codes[2] == 3);
 }
@@ -170,10 +172,15 @@ static void uncertain(void) {
     CHECK(mip_profile_by_model(0) == NULL && mip_profile_by_model(4003) == NULL);
     CHECK(old->generation == 1 && is(old->manual, "") && is(mip_profiles[0]->manual, "guide"));
     CHECK(old->incomplete_count == 1 && is(old->incomplete[0], "No manual is known; see `tools.ping`."));
-    CHECK(mip_profile_supports(old, 0x01, 0x01)->evidence == NULL);
-    CHECK(mip_profile_supports(old, 0x80, 0x02) == NULL);
-    CHECK(is(mip_profile_may_support(old, 0x80, 0x02)->evidence, "All old devices have it."));
-    CHECK(mip_profile_may_support(old, 0x80, 0x03) == NULL);
+    CHECK(mip_profile_support(old, 0x01, 0x01) == MIP_SUPPORT_YES);
+    CHECK(mip_profile_support(old, 0x80, 0x02) == MIP_SUPPORT_PROBABLE);
+    CHECK(is(mip_profile_find_field(old, 0x80, 0x02)->evidence->why,
+             "Devices of its generation have it, Model A and Model B."));
+    CHECK(mip_profile_find_field(old, 0x80, 0x03) == NULL);
+    CHECK(mip_profile_support(old, 0x80, 0x03) == MIP_SUPPORT_UNKNOWN);
+    const struct mip_profile *c = mip_profile_find("Model C");
+    CHECK(c->refused_count == 1 && mip_profile_support(c, 0x01, 0x08) == MIP_SUPPORT_NO);
+    CHECK(is(mip_profile_find_field(c, 0x01, 0x08)->evidence->why, "The device refuses it (firmware 1.2)."));
 }
 
 static uint16_t number_of(const char *text) {

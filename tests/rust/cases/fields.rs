@@ -478,9 +478,9 @@ fn devices_tell_what_they_support() {
     assert_eq!(devices::MODEL_B.base_rate(0x80), Some(0.0));
     assert_eq!((a.limit("range"), a.limit("nothing")), (Some(2.5), None));
     assert_eq!((a.ports[0].id, a.ports[0].baud_rates), (Some(0x11), &[9600, 115_200][..]));
-    let b = devices::MODEL_B.supports(0x01, 0x02).unwrap();
+    let b = devices::MODEL_B.field(0x01, 0x02).unwrap();
     assert_eq!(b.functions, [FunctionSelector::WRITE, FunctionSelector::READ]);
-    assert_eq!(a.supports(0x01, 0x02).unwrap().functions.len(), 6);
+    assert_eq!(a.field(0x01, 0x02).unwrap().functions.len(), 6);
     assert_eq!(devices::MODEL_B.ack_codes.len(), 2);
     let variants = devices::MODEL_B.variants;
     let ack = variants.iter().find(|v| v.parameter == "protocol.acknowledge.code").unwrap();
@@ -498,9 +498,19 @@ fn devices_tell_what_is_not_certain() {
     assert_eq!(Some(old), devices::Profile::find("First"));
     assert_eq!((old.generation, old.manual, old.also), (Some(1), None, &["First"][..]));
     assert_eq!(old.incomplete, ["No manual is known; see `tools.ping`."]);
-    assert!(old.has::<tools::Ping>() && !old.has::<measurements::Numbers>());
-    assert!(old.supports(0x80, 0x02).is_none());
-    assert_eq!(old.may_support(0x80, 0x02).unwrap().evidence, Some("All old devices have it."));
+    assert!(
+        old.has::<tools::Ping>()
+            && old.has::<measurements::Numbers>()
+            && !old.has::<tools::Choice>()
+    );
+    assert_eq!(old.support(0x01, 0x01), devices::Support::Yes);
+    assert_eq!(old.support(0x80, 0x02), devices::Support::Probable);
+    assert_eq!(old.support(0x80, 0x03), devices::Support::Unknown);
+    let why = old.field(0x80, 0x02).unwrap().evidence.why;
+    assert_eq!(why, "Devices of its generation have it, Model A and Model B.");
+    assert_eq!(devices::MODEL_C.support(0x01, 0x08), devices::Support::No);
+    assert_eq!(devices::MODEL_B.support(0x01, 0x08), devices::Support::No);
+    assert!(!devices::MODEL_C.has::<tools::Choice>());
     assert_eq!(devices::Profile::find("Model See"), Some(&devices::MODEL_C));
     assert_eq!(devices::Profile::find("model-a").and_then(|d| d.manual), Some("guide"));
     assert!(devices::Profile::find("Model").is_none() && devices::Profile::by_model(0).is_none());

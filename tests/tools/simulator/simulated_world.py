@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mip_protocol import registry
-from mip_protocol.devices import find
+from mip_protocol.devices import by_name
 from mip_protocol.field import Data
 from mip_protocol.profile import Device
 from mip_tools.simulator.motion import Motion
@@ -19,7 +19,7 @@ TYPES = {kind.name_in(number): kind for number, kind in registry.all_types() if 
 
 
 def profile(name: str = "3dm-cv7-gnss-ins") -> Device:
-    found = find(name)
+    found = by_name(name)
     assert found is not None
     return found
 

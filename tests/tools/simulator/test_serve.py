@@ -610,7 +610,7 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int
 
 def counts(device: Device) -> str:
     """How many commands and data fields a device may have, as they are said to a person."""
-    listed = device.fields | device.perhaps.keys()
+    listed = device.fields
     roles = {(number, t.DESCRIPTOR): t for number, t in registry.all_types() if not issubclass(t, Response)}
     commands = sum(issubclass(roles[key], Command) for key in listed)
     data = sum(issubclass(roles[key], Data) for key in listed)

@@ -64,10 +64,9 @@ def test_every_parameter_shows_something() -> None:
 
 def sent(device: Device) -> Iterator[tuple[int, Any]]:
     """Sets and types of the data fields that the device has, those that it may have included."""
-    known = device.fields | device.perhaps.keys()
-    sets = sorted({s for s, _ in known if 0x80 <= s < 0xFF})
+    sets = sorted({s for s, _ in device.fields if 0x80 <= s < 0xFF})
     for name, kind in TYPES.items():
-        if (SETS[name], kind.DESCRIPTOR) in known:
+        if (SETS[name], kind.DESCRIPTOR) in device.fields:
             yield (sets[0] if SETS[name] == 0xFF else SETS[name]), kind
 
 

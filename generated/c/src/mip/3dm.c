@@ -2266,12 +2266,14 @@ static bool asked_device_status_2(const void *value) {
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_basic_stateless_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_basic_gx3_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_rq1_45_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gx4_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_imu_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gx3_response_codec, asked_device_status_2},
     {NULL, NULL},
 };
 
@@ -2279,7 +2281,7 @@ const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status
                                                           responses_device_status, 0};
 
 static const uint8_t program_device_status_basic_response[] = {
-    MIP_LAYOUT(13, 253, 1, 2, 0x01),
+    MIP_LAYOUT(13, 14, 1, 2, 0x01),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, model_number)),
     MIP_CONSTANT(1, 0x01),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, status_flags)),
@@ -2394,7 +2396,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = 
     program_device_status_diagnostic_gq4_45_response};
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
-    MIP_LAYOUT(86, 253, 1, 2, 0x02),
+    MIP_LAYOUT(86, 104, 1, 2, 0x02),
     MIP_FAR,
     MIP_16_BITS(1,
                 MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, model_number)),
@@ -2469,3 +2471,57 @@ const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
     0,
     program_device_status_diagnostic_imu_response};
+
+static const uint8_t program_device_status_basic_gx3_response[] = {
+    MIP_LAYOUT(15, 253, 1, 2, 0x01),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_gx3_response, model_number)),
+    MIP_CONSTANT(1, 0x01),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_gx3_response, comm_mode)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_gx3_response, settings_flags)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_gx3_response, comm_state)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_gx3_response, comm_baud_rate)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec = {
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_basic_gx3_response),
+    0,
+    program_device_status_basic_gx3_response};
+
+static const uint8_t program_device_status_diagnostic_gx3_response[] = {
+    MIP_LAYOUT(105, 253, 1, 2, 0x02),
+    MIP_FAR,
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_8_BITS(2, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, comm_mode)),
+    MIP_32_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, settings_flags)),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, comm_state)),
+    MIP_32_BITS(5,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, comm_baud_rate)),
+    MIP_16_BITS(1, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, usb_state)),
+    MIP_32_BITS(
+        4, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, usb_bytes_written)),
+    MIP_16_BITS(
+        2, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, gnss_driver_state)),
+    MIP_32_BITS(
+        6, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, gnss_bytes_written)),
+    MIP_16_BITS(2,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, imu_driver_state)),
+    MIP_32_BITS(
+        6, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gx3_response, imu_bytes_written)),
+    MIP_END,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec = {
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx3_response),
+    0,
+    program_device_status_diagnostic_gx3_response};

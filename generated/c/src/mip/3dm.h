@@ -8133,9 +8133,10 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  * For advanced use. Answered by mip_3dm_device_status_basic_response,
  * mip_3dm_device_status_basic_stateless_response, mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_basic_gx3_response or
+ * mip_3dm_device_status_diagnostic_gx3_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device expects its own model number, which mip_base_get_device_info returns.
  *
@@ -8227,8 +8228,9 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  * State and timer.
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_stateless_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * and mip_3dm_device_status_basic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -8282,10 +8284,11 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  * Full name: 3dm.device_status_basic_without_state_response.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_basic_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
- * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 gives it too, but
- * for the model number of another device; MSCL has the layout with a state for that device.
+ * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the size of
+ * its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it
+ * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; that the 3DM-CL5-10 has it
+ * is inferred. Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of
+ * another device; MSCL has the layout with a state for that device.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -8338,9 +8341,10 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response and mip_3dm_device_status_diagnostic_gx3_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
+ * Supported by 3DM-GX5-15.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8415,12 +8419,12 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and
- * 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its
- * length is from a manual. Uncertain: MSCL only names the values; the descriptions follow from the
- * names, and the times are assumed to be in ms like the system timer.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response and mip_3dm_device_status_diagnostic_gx3_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
+ * Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and
+ * -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values; the
+ * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8513,11 +8517,11 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45. Uncertain: No known manual gives it. Uncertain: MSCL only names the
- * values; the descriptions follow from the names, and the times are assumed to be in ms like the
- * system timer.
+ * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45. Uncertain: No known manual
+ * gives it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
+ * times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8616,11 +8620,11 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual gives it. Uncertain:
- * MSCL only names the values; the descriptions follow from the names, and the times are assumed to
- * be in ms like the system timer.
+ * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response and
+ * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * follow from the names, and the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8720,12 +8724,12 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response and
- * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it for these devices;
- * the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
- * values; the descriptions follow from the names, and the times are assumed to be in ms like the
- * system timer.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response
+ * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it
+ * for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL
+ * only names the values; the descriptions follow from the names, and the times are assumed to be in
+ * ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8813,12 +8817,12 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_rq1_45_response and
- * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
- * and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
- * follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
- * The units of the ranges are not known.
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
+ * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the
+ * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the
+ * values; the descriptions follow from the names, and the times are assumed to be in ms like the
+ * system timer. Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8896,6 +8900,177 @@ static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_imu_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
+}
+
+/**
+ * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
+ *
+ * State of the port.
+ *
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_stateless_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
+ * Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+ *
+ * Parameters without a member, on the wire only:
+ * - status_selector: Basic status. Always 1.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_basic_gx3_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Part of the device that the port talks to. */
+    uint8_t comm_mode;
+    /** Port in use. */
+    uint8_t comm_device;
+    /** Flags of the settings. */
+    uint32_t settings_flags;
+    /** State of the port. */
+    uint16_t comm_state;
+    /** Baud rate of the port. Unit: Bd. */
+    uint32_t comm_baud_rate;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE 0x0C90
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE_NAME "3dm.device_status_basic_gx3_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_basic_gx3_response_decode(
+    struct mip_3dm_device_status_basic_gx3_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_basic_gx3_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_basic_gx3_response_encode(
+    const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
+}
+
+/**
+ * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
+ *
+ * State of the port with the counters of port, USB, receiver and IMU.
+ *
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
+ * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014 has
+ * it, which names the values; the descriptions follow from the names.
+ *
+ * Parameters without a member, on the wire only:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_gx3_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Part of the device that the port talks to. */
+    uint8_t comm_mode;
+    /** Port in use. */
+    uint8_t comm_device;
+    /** Flags of the settings. */
+    uint32_t settings_flags;
+    /** State of the port. */
+    uint16_t comm_state;
+    /** Baud rate of the port. Unit: Bd. */
+    uint32_t comm_baud_rate;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+    /** State of USB. */
+    uint16_t usb_state;
+    /** Bytes written to USB. Unit: byte. */
+    uint32_t usb_bytes_written;
+    /** Bytes read from USB. Unit: byte. */
+    uint32_t usb_bytes_read;
+    /** Overruns while writing to USB. Unit: 1. */
+    uint32_t usb_write_overruns;
+    /** Overruns while reading from USB. Unit: 1. */
+    uint32_t usb_read_overruns;
+    /** State of the driver of the receiver. */
+    uint16_t gnss_driver_state;
+    /** State of the port of the receiver. */
+    uint16_t gnss_port_state;
+    /** Bytes written to the receiver. Unit: byte. */
+    uint32_t gnss_bytes_written;
+    /** Bytes read from the receiver. Unit: byte. */
+    uint32_t gnss_bytes_read;
+    /** Overruns while writing to the receiver. Unit: 1. */
+    uint32_t gnss_write_overruns;
+    /** Overruns while reading from the receiver. Unit: 1. */
+    uint32_t gnss_read_overruns;
+    /** Messages of the receiver. Unit: 1. */
+    uint32_t gnss_message_count;
+    /** Messages of the receiver that came late. Unit: 1. */
+    uint32_t gnss_delayed_message_count;
+    /** State of the driver of the IMU. */
+    uint16_t imu_driver_state;
+    /** State of the port of the IMU. */
+    uint16_t imu_port_state;
+    /** Bytes written to the IMU. Unit: byte. */
+    uint32_t imu_bytes_written;
+    /** Bytes read from the IMU. Unit: byte. */
+    uint32_t imu_bytes_read;
+    /** Overruns while writing to the IMU. Unit: 1. */
+    uint32_t imu_write_overruns;
+    /** Overruns while reading from the IMU. Unit: 1. */
+    uint32_t imu_read_overruns;
+    /** Messages of the IMU. Unit: 1. */
+    uint32_t imu_message_count;
+    /** Messages of the IMU that came late. Unit: 1. */
+    uint32_t imu_delayed_message_count;
+};
+
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE 0x0C90
+/** Its descriptor. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_gx3_response"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx3_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx3_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);
 }
 
 #ifdef __cplusplus

@@ -3797,6 +3797,30 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
 }
 
 /**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
+ */
+static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_status *command,
+    struct mip_3dm_device_status_basic_gx3_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
+                           &mip_3dm_device_status_basic_gx3_response_codec, response, now);
+}
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
+ */
+static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_3dm_device_status *command,
+    struct mip_3dm_device_status_diagnostic_gx3_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
+                           &mip_3dm_device_status_diagnostic_gx3_response_codec, response, now);
+}
+
+/**
  * Device Status. See mip_device_call.
  *
  * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
@@ -3842,6 +3866,22 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_r
         device, &mip_3dm_device_status_command,
         mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
         &mip_3dm_device_status_basic_stateless_response_codec, response);
+}
+
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
+static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_basic_gx3_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_gx3_response_codec, response);
 }
 
 /**
@@ -3938,6 +3978,22 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
                            mip_3dm_device_status_make(&command, model_number,
                                                       MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response);
+}
+
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx3_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_gx3_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_gx3_response_codec, response);
 }
 
 /**

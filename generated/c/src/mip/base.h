@@ -715,9 +715,15 @@ struct mip_base_comm_speed {
     uint8_t function;
     /**
      * Port id of the device; 0 means all ports, and is for save, load and default only. On the
-     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-     * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
-     * enum mip_comm_interface.
+     * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
+     * enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+     * MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+     * 3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+     * MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+     * MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
+     * On the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+     * MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+     * 3DM-RTK: the values are not known.
      */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
@@ -749,9 +755,15 @@ static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_sp
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_base_comm_speed *
@@ -766,9 +778,15 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
@@ -781,9 +799,15 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
@@ -796,9 +820,15 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
@@ -811,9 +841,15 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
@@ -833,9 +869,16 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
  */
 struct mip_base_comm_speed_response {
     /**
-     * Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
-     * 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-     * 3DM-GV7-INS and 3DM-RTK: values of enum mip_comm_interface.
+     * Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR,
+     * 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+     * MIP_COMM_INTERFACE_UART_1 and MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of
+     * enum mip_comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of enum
+     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+     * MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
+     * 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
+     * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
+     * MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are not
+     * known.
      */
     uint8_t port;
     /** Baud rate of the port. Unit: Bd. */

@@ -188,9 +188,15 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
  * Comm port speed: write. Apply the new setting. See mip_device_call.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
@@ -204,9 +210,15 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
  * Comm port speed: read. Return the current setting in a response. See mip_device_call.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
@@ -220,9 +232,15 @@ static inline struct mip_result mip_call_base_comm_speed_read(
  * Comm port speed: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
@@ -235,9 +253,15 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
  * Comm port speed: load. Load the saved setting. See mip_device_call.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
@@ -250,9 +274,15 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
  * Comm port speed: default. Load the factory default setting. See mip_device_call.
  *
  * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
- *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
- *   3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of enum
- *   mip_comm_interface.
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
  */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {

@@ -29,8 +29,8 @@ enum mip_support {
 
 /** Why a device is believed to have some fields, or not to have them. */
 struct mip_profile_evidence {
-    /** What it says of them. */
-    enum mip_support answer;
+    /** What it says of them: an `enum mip_support`. */
+    uint8_t answer;
     /** Why, in words. */
     const char *why;
 };

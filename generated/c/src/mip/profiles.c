@@ -969,15 +969,15 @@ static const char *const cv7_ahrs_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
                       "Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its manual has it."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
-                      "pages, linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
-                      "pages, linked by a public program)."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Field pages, linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Field pages, linked by a public program)."},
     {MIP_SUPPORT_YES,
-     "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+     "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
     {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
                            "1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
@@ -1216,15 +1216,15 @@ static const char *const cv7_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ar_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
                       "Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its manual has it."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
-                      "pages, linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field "
-                      "pages, linked by a public program)."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Field pages, linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
+                      "Field pages, linked by a public program)."},
     {MIP_SUPPORT_YES,
-     "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+     "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
     {MIP_SUPPORT_YES, "The device lists it (MicroStrain Communication Library: Issue 258)."},
     {MIP_SUPPORT_PROBABLE,
      "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
@@ -1446,7 +1446,7 @@ const struct mip_profile mip_profile_cv7_ar = {
 /* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_profile_evidence cv7_gnss_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
 };
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
@@ -1977,10 +1977,11 @@ static const char *const cv7_ins_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set "
-                      "0x94, on a test site)."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES,
+     "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of "
+                      "the set 0x94, on a test site)."},
     {MIP_SUPPORT_PROBABLE,
      "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
@@ -2235,7 +2236,7 @@ static const char *const cx5_10_incomplete[] = {
 
 static const struct mip_profile_evidence cx5_10_evidence[] = {
     {MIP_SUPPORT_YES,
-     "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
+     "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
     {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
 };
@@ -2740,7 +2741,8 @@ static const char *const cx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
+    {MIP_SUPPORT_YES,
+     "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
     {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
                            "1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
@@ -3587,7 +3589,7 @@ static const char *const gq4_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gq4_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
     {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45."},
 };
 
@@ -3724,13 +3726,13 @@ static const char *const gq7_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gq7_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked "
-                      "by the ROS messages)."},
-    {MIP_SUPPORT_YES,
-     "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its manual has it."},
-    {MIP_SUPPORT_YES, "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked "
-                      "by the wiki of the ROS driver)."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, "
+                      "linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol "
+                      "Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, "
+                      "linked by the wiki of the ROS driver)."},
     {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
                            "1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
@@ -3973,10 +3975,8 @@ static const struct mip_profile_note gq7_notes[] = {
 };
 
 static const struct mip_profile_reading gq7_readings[] = {
-    {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
     {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
-    {"base.comm_speed_response.port", "comm_interface"},
     {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
@@ -3998,7 +3998,7 @@ const struct mip_profile mip_profile_gq7 = {
     2,    /* ports */
     1,    /* limits */
     6,    /* notes */
-    8,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     gq7_also,
     gq7_incomplete,
@@ -5497,7 +5497,7 @@ static const char *const gx5_15_also[] = {
 };
 
 static const struct mip_profile_evidence gx5_15_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
     {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 301)."},
 };
 
@@ -5879,7 +5879,7 @@ static const char *const gx5_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_35_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
     {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
 };
@@ -6013,8 +6013,8 @@ static const char *const gx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
-    {MIP_SUPPORT_YES, "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
     {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
                            "1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
@@ -6326,7 +6326,7 @@ static const char *const rq1_45_lt_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
     {MIP_SUPPORT_PROBABLE,
      "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
 };
@@ -6465,7 +6465,7 @@ static const char *const rq1_45_st_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_st_evidence[] = {
-    {MIP_SUPPORT_YES, "Its manual has it."},
+    {MIP_SUPPORT_YES, "Its documentation has it."},
     {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT."},
 };
 
@@ -6617,9 +6617,7 @@ static const struct mip_profile_field rtk_fields[] = {
 };
 
 static const struct mip_profile_reading rtk_readings[] = {
-    {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
-    {"base.comm_speed_response.port", "comm_interface"},
 };
 
 const struct mip_profile mip_profile_rtk = {
@@ -6637,7 +6635,7 @@ const struct mip_profile mip_profile_rtk = {
     0,    /* ports */
     0,    /* limits */
     0,    /* notes */
-    3,    /* readings */
+    1,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     rtk_incomplete,

@@ -63,7 +63,7 @@ TYPES: dict[str, Info] = {
         "base.comm_speed", base.CommSpeed, functions=("write", "read", "save", "load", "default"), devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-rtk"),
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("port", "port", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-rtk"), {"type": types.CommInterface}),)),
+            Parameter("port", "port", "scalar", scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-gv7-ahrs", "3dm-gv7-ar"), {"only": ("main", "uart_1", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.CommInterface}), Variant("device", ("3dm-cv7-ins", "3dm-cx7-ins"), {"only": ("main", "uart_1", "uart_2", "uart_3", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-gq7",), {}), Variant("device", ("3dm-gv7-ins",), {"only": ("main", "uart_1", "uart_2", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-rtk",), {"type": None}),)),
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",), required=("write",)),
         ),
     ),
@@ -125,7 +125,7 @@ TYPES: dict[str, Info] = {
     "CommSpeedResponse": FieldInfo(
         "base.comm_speed_response", base.CommSpeedResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-rtk"),
         parameters=(
-            Parameter("port", "port", "scalar", scalar="u8", variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-rtk"), {"type": types.CommInterface}),)),
+            Parameter("port", "port", "scalar", scalar="u8", variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-gv7-ahrs", "3dm-gv7-ar"), {"only": ("main", "uart_1", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.CommInterface}), Variant("device", ("3dm-cv7-ins", "3dm-cx7-ins"), {"only": ("main", "uart_1", "uart_2", "uart_3", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-gq7",), {}), Variant("device", ("3dm-gv7-ins",), {"only": ("main", "uart_1", "uart_2", "usb_1"), "type": types.CommInterface}), Variant("device", ("3dm-rtk",), {"type": None}),)),
             Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
         ),
     ),

@@ -589,7 +589,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicResponse": FieldInfo(
-        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-45", "3dm-gx5-25"),
+        "3dm.device_status_basic_response", mip_3dm.DeviceStatusBasicResponse, devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx4-45", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -599,7 +599,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusBasicWithoutStateResponse": FieldInfo(
-        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-10"),
+        "3dm.device_status_basic_without_state_response", mip_3dm.DeviceStatusBasicWithoutStateResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx5-10"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
@@ -608,7 +608,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticResponse": FieldInfo(
-        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx5-25"),
+        "3dm.device_status_diagnostic_response", mip_3dm.DeviceStatusDiagnosticResponse, devices=("3dm-gx5-15",), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-15", "3dm-cx5-25", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx5-25"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -629,7 +629,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticGnssResponse": FieldInfo(
-        "3dm.device_status_diagnostic_gnss_response", mip_3dm.DeviceStatusDiagnosticGnssResponse, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-45"),
+        "3dm.device_status_diagnostic_gnss_response", mip_3dm.DeviceStatusDiagnosticGnssResponse, devices=("3dm-gx5-35", "3dm-gx5-45"), perhaps=("3dm-cv5-45", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx4-45"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -748,7 +748,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DeviceStatusDiagnosticImuResponse": FieldInfo(
-        "3dm.device_status_diagnostic_imu_response", mip_3dm.DeviceStatusDiagnosticImuResponse, perhaps=("3dm-cv5-10", "3dm-cx5-10", "3dm-gx5-10"),
+        "3dm.device_status_diagnostic_imu_response", mip_3dm.DeviceStatusDiagnosticImuResponse, perhaps=("3dm-cl5-10", "3dm-cv5-10", "3dm-cx5-10", "3dm-gx5-10"),
         parameters=(
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
@@ -771,6 +771,55 @@ TYPES: dict[str, Info] = {
             Parameter("comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)),
             Parameter("comm_port_write_overruns", "comm_port_write_overruns", "scalar", scalar="u32", units=("1",)),
             Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
+        ),
+    ),
+    "DeviceStatusBasicGx3Response": FieldInfo(
+        "3dm.device_status_basic_gx3_response", mip_3dm.DeviceStatusBasicGx3Response, perhaps=("3dm-gx3-35", "3dm-gx3-45"),
+        parameters=(
+            Parameter("model_number", "model_number", "scalar", scalar="u16"),
+            Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
+            Parameter("comm_mode", "comm_mode", "scalar", scalar="u8"),
+            Parameter("comm_device", "comm_device", "scalar", scalar="u8"),
+            Parameter("settings_flags", "settings_flags", "scalar", scalar="u32"),
+            Parameter("comm_state", "comm_state", "scalar", scalar="u16"),
+            Parameter("comm_baud_rate", "comm_baud_rate", "scalar", scalar="u32", units=("Bd",)),
+        ),
+    ),
+    "DeviceStatusDiagnosticGx3Response": FieldInfo(
+        "3dm.device_status_diagnostic_gx3_response", mip_3dm.DeviceStatusDiagnosticGx3Response, perhaps=("3dm-gx3-35", "3dm-gx3-45"),
+        parameters=(
+            Parameter("model_number", "model_number", "scalar", scalar="u16"),
+            Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+            Parameter("comm_mode", "comm_mode", "scalar", scalar="u8"),
+            Parameter("comm_device", "comm_device", "scalar", scalar="u8"),
+            Parameter("settings_flags", "settings_flags", "scalar", scalar="u32"),
+            Parameter("comm_state", "comm_state", "scalar", scalar="u16"),
+            Parameter("comm_baud_rate", "comm_baud_rate", "scalar", scalar="u32", units=("Bd",)),
+            Parameter("comm_port_bytes_written", "comm_port_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("comm_port_write_overruns", "comm_port_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("comm_port_read_overruns", "comm_port_read_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("usb_state", "usb_state", "scalar", scalar="u16"),
+            Parameter("usb_bytes_written", "usb_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("usb_bytes_read", "usb_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("usb_write_overruns", "usb_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("usb_read_overruns", "usb_read_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("gnss_driver_state", "gnss_driver_state", "scalar", scalar="u16"),
+            Parameter("gnss_port_state", "gnss_port_state", "scalar", scalar="u16"),
+            Parameter("gnss_bytes_written", "gnss_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("gnss_bytes_read", "gnss_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("gnss_write_overruns", "gnss_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("gnss_read_overruns", "gnss_read_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("gnss_message_count", "gnss_message_count", "scalar", scalar="u32", units=("1",)),
+            Parameter("gnss_delayed_message_count", "gnss_delayed_message_count", "scalar", scalar="u32", units=("1",)),
+            Parameter("imu_driver_state", "imu_driver_state", "scalar", scalar="u16"),
+            Parameter("imu_port_state", "imu_port_state", "scalar", scalar="u16"),
+            Parameter("imu_bytes_written", "imu_bytes_written", "scalar", scalar="u32", units=("byte",)),
+            Parameter("imu_bytes_read", "imu_bytes_read", "scalar", scalar="u32", units=("byte",)),
+            Parameter("imu_write_overruns", "imu_write_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("imu_read_overruns", "imu_read_overruns", "scalar", scalar="u32", units=("1",)),
+            Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
+            Parameter("imu_delayed_message_count", "imu_delayed_message_count", "scalar", scalar="u32", units=("1",)),
         ),
     ),
     "GpsDynamicsModeResponse": FieldInfo(

@@ -52,10 +52,11 @@ pub static ALL: &[&Profile] = &[
 ];
 
 #[rustfmt::skip]
-const CL5_10_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." },
-];
+const CL5_10_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CL5_10_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CL5-10
 ///
@@ -85,33 +86,33 @@ pub static CL5_10: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CL5_10_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CL5_10_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CL5_10_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CL5_10_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CL5_10_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CL5_10_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CL5_10_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_10_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CL5_10_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CL5_10_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_10_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_10_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_10_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_10_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_10_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_10_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CL5_10_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CL5_10_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CL5_10_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CL5_10_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CL5_10_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CL5_10_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] CL5_10_1;
+        0x01 0x02 "base.set_idle" [] CL5_10_1;
+        0x01 0x03 "base.get_device_info" [] CL5_10_1;
+        0x01 0x04 "base.get_device_descriptors" [] CL5_10_1;
+        0x01 0x05 "base.built_in_test" [] CL5_10_2;
+        0x01 0x06 "base.resume" [] CL5_10_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CL5_10_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_10_2;
+        0x01 0x7E "base.soft_reset" [] CL5_10_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CL5_10_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_10_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_10_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_10_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_10_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_10_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_10_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_10_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_10_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_10_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_10_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_10_2;
+        0x0C 0x64 "3dm.device_status" [] CL5_10_2;
+        0x80 0x04 "sensor.scaled_accel" [] CL5_10_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CL5_10_1;
+        0x80 0x07 "sensor.delta_theta" [] CL5_10_2;
+        0x80 0x08 "sensor.delta_velocity" [] CL5_10_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CL5_10_2;
     },
     refuses: supported! {
     },
@@ -148,10 +149,11 @@ pub static CL5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CL5_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." },
-];
+const CL5_15_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CL5_15_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
 
 /// 3DM-CL5-15
 ///
@@ -180,79 +182,79 @@ pub static CL5_15: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CL5_15_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CL5_15_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CL5_15_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CL5_15_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CL5_15_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CL5_15_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CL5_15_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_15_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CL5_15_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CL5_15_EVIDENCE[1];
-        0x0C 0x03 "3dm.poll_filter_data" [] CL5_15_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_15_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CL5_15_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_15_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_15_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_15_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_15_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CL5_15_EVIDENCE[1];
-        0x0D 0x01 "filter.reset" [] CL5_15_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CL5_15_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] CL5_15_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] CL5_15_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CL5_15_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CL5_15_EVIDENCE[1];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CL5_15_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CL5_15_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CL5_15_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CL5_15_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CL5_15_EVIDENCE[1];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CL5_15_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CL5_15_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CL5_15_EVIDENCE[1];
-        0x80 0x10 "sensor.north_vector" [] CL5_15_EVIDENCE[1];
-        0x80 0x11 "sensor.up_vector" [] CL5_15_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CL5_15_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] CL5_15_EVIDENCE[1];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CL5_15_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] CL5_15_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] CL5_15_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CL5_15_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CL5_15_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CL5_15_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] CL5_15_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CL5_15_EVIDENCE[1];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CL5_15_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] CL5_15_EVIDENCE[1];
-        0x82 0x11 "filter_data.timestamp" [] CL5_15_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CL5_15_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] CL5_15_EVIDENCE[1];
-        0x82 0x14 "filter_data.heading_update_state" [] CL5_15_EVIDENCE[1];
-        0x82 0x1C "filter_data.comp_accel" [] CL5_15_EVIDENCE[1];
-        0x82 0x21 "filter_data.pressure_altitude" [] CL5_15_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] CL5_15_1;
+        0x01 0x02 "base.set_idle" [] CL5_15_1;
+        0x01 0x03 "base.get_device_info" [] CL5_15_1;
+        0x01 0x04 "base.get_device_descriptors" [] CL5_15_1;
+        0x01 0x05 "base.built_in_test" [] CL5_15_2;
+        0x01 0x06 "base.resume" [] CL5_15_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CL5_15_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_15_2;
+        0x01 0x7E "base.soft_reset" [] CL5_15_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CL5_15_2;
+        0x0C 0x03 "3dm.poll_filter_data" [] CL5_15_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_15_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_15_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CL5_15_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_15_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_15_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_15_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_15_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0C 0x64 "3dm.device_status" [] CL5_15_2;
+        0x0D 0x01 "filter.reset" [] CL5_15_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CL5_15_2;
+        0x0D 0x03 "filter.set_initial_heading" [] CL5_15_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x17 "filter.external_heading_update" [] CL5_15_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CL5_15_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CL5_15_2;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CL5_15_2;
+        0x80 0x04 "sensor.scaled_accel" [] CL5_15_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CL5_15_1;
+        0x80 0x07 "sensor.delta_theta" [] CL5_15_2;
+        0x80 0x08 "sensor.delta_velocity" [] CL5_15_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CL5_15_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CL5_15_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CL5_15_2;
+        0x80 0x10 "sensor.north_vector" [] CL5_15_2;
+        0x80 0x11 "sensor.up_vector" [] CL5_15_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CL5_15_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CL5_15_2;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CL5_15_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] CL5_15_2;
+        0x82 0x05 "filter_data.euler_angles" [] CL5_15_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CL5_15_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CL5_15_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CL5_15_2;
+        0x82 0x0D "filter_data.linear_accel" [] CL5_15_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CL5_15_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CL5_15_2;
+        0x82 0x10 "filter_data.status" [] CL5_15_2;
+        0x82 0x11 "filter_data.timestamp" [] CL5_15_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CL5_15_2;
+        0x82 0x13 "filter_data.gravity_vector" [] CL5_15_2;
+        0x82 0x14 "filter_data.heading_update_state" [] CL5_15_2;
+        0x82 0x1C "filter_data.comp_accel" [] CL5_15_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CL5_15_2;
     },
     refuses: supported! {
     },
@@ -314,10 +316,11 @@ pub static CL5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CL5_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
-];
+const CL5_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CL5_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CL5-25
 ///
@@ -346,96 +349,96 @@ pub static CL5_25: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CL5_25_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CL5_25_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CL5_25_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CL5_25_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CL5_25_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CL5_25_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CL5_25_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_25_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CL5_25_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CL5_25_EVIDENCE[1];
-        0x0C 0x03 "3dm.poll_filter_data" [] CL5_25_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_25_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CL5_25_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_25_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_25_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_EVIDENCE[1];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CL5_25_EVIDENCE[1];
-        0x0D 0x01 "filter.reset" [] CL5_25_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CL5_25_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] CL5_25_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] CL5_25_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CL5_25_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CL5_25_EVIDENCE[1];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CL5_25_EVIDENCE[1];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CL5_25_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CL5_25_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CL5_25_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CL5_25_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CL5_25_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CL5_25_EVIDENCE[1];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CL5_25_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CL5_25_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CL5_25_EVIDENCE[1];
-        0x80 0x10 "sensor.north_vector" [] CL5_25_EVIDENCE[1];
-        0x80 0x11 "sensor.up_vector" [] CL5_25_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CL5_25_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] CL5_25_EVIDENCE[1];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CL5_25_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] CL5_25_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] CL5_25_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CL5_25_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CL5_25_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CL5_25_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] CL5_25_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CL5_25_EVIDENCE[1];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CL5_25_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] CL5_25_EVIDENCE[1];
-        0x82 0x11 "filter_data.timestamp" [] CL5_25_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CL5_25_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] CL5_25_EVIDENCE[1];
-        0x82 0x14 "filter_data.heading_update_state" [] CL5_25_EVIDENCE[1];
-        0x82 0x15 "filter_data.magnetic_model" [] CL5_25_EVIDENCE[1];
-        0x82 0x1C "filter_data.comp_accel" [] CL5_25_EVIDENCE[1];
-        0x82 0x21 "filter_data.pressure_altitude" [] CL5_25_EVIDENCE[1];
-        0x82 0x25 "filter_data.mag_offset" [] CL5_25_EVIDENCE[1];
-        0x82 0x26 "filter_data.mag_matrix" [] CL5_25_EVIDENCE[1];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CL5_25_EVIDENCE[1];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CL5_25_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] CL5_25_1;
+        0x01 0x02 "base.set_idle" [] CL5_25_1;
+        0x01 0x03 "base.get_device_info" [] CL5_25_1;
+        0x01 0x04 "base.get_device_descriptors" [] CL5_25_1;
+        0x01 0x05 "base.built_in_test" [] CL5_25_2;
+        0x01 0x06 "base.resume" [] CL5_25_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CL5_25_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CL5_25_2;
+        0x01 0x7E "base.soft_reset" [] CL5_25_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CL5_25_2;
+        0x0C 0x03 "3dm.poll_filter_data" [] CL5_25_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CL5_25_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_25_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CL5_25_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CL5_25_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CL5_25_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_2;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CL5_25_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0C 0x64 "3dm.device_status" [] CL5_25_2;
+        0x0D 0x01 "filter.reset" [] CL5_25_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CL5_25_2;
+        0x0D 0x03 "filter.set_initial_heading" [] CL5_25_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x17 "filter.external_heading_update" [] CL5_25_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CL5_25_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CL5_25_2;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CL5_25_2;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CL5_25_2;
+        0x80 0x04 "sensor.scaled_accel" [] CL5_25_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CL5_25_1;
+        0x80 0x06 "sensor.scaled_mag" [] CL5_25_2;
+        0x80 0x07 "sensor.delta_theta" [] CL5_25_2;
+        0x80 0x08 "sensor.delta_velocity" [] CL5_25_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CL5_25_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CL5_25_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CL5_25_2;
+        0x80 0x10 "sensor.north_vector" [] CL5_25_2;
+        0x80 0x11 "sensor.up_vector" [] CL5_25_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CL5_25_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CL5_25_2;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CL5_25_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] CL5_25_2;
+        0x82 0x05 "filter_data.euler_angles" [] CL5_25_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CL5_25_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CL5_25_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CL5_25_2;
+        0x82 0x0D "filter_data.linear_accel" [] CL5_25_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CL5_25_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CL5_25_2;
+        0x82 0x10 "filter_data.status" [] CL5_25_2;
+        0x82 0x11 "filter_data.timestamp" [] CL5_25_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CL5_25_2;
+        0x82 0x13 "filter_data.gravity_vector" [] CL5_25_2;
+        0x82 0x14 "filter_data.heading_update_state" [] CL5_25_2;
+        0x82 0x15 "filter_data.magnetic_model" [] CL5_25_2;
+        0x82 0x1C "filter_data.comp_accel" [] CL5_25_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CL5_25_2;
+        0x82 0x25 "filter_data.mag_offset" [] CL5_25_2;
+        0x82 0x26 "filter_data.mag_matrix" [] CL5_25_2;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CL5_25_2;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CL5_25_2;
     },
     refuses: supported! {
     },
@@ -492,11 +495,14 @@ pub static CL5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_10_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." },
-    Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 145)." },
-];
+const CV5_10_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_10_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
+#[rustfmt::skip]
+const CV5_10_3: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 145)." };
 
 /// 3DM-CV5-10
 ///
@@ -526,36 +532,36 @@ pub static CV5_10: Profile = Profile {
         "Its manual (8500-0070) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV5_10_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CV5_10_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CV5_10_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CV5_10_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CV5_10_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CV5_10_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_10_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_10_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CV5_10_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_10_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_10_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_10_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_10_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CV5_10_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CV5_10_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_10_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CV5_10_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CV5_10_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_10_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] CV5_10_1;
+        0x01 0x02 "base.set_idle" [] CV5_10_1;
+        0x01 0x03 "base.get_device_info" [] CV5_10_1;
+        0x01 0x04 "base.get_device_descriptors" [] CV5_10_1;
+        0x01 0x05 "base.built_in_test" [] CV5_10_2;
+        0x01 0x06 "base.resume" [] CV5_10_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_10_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_10_2;
+        0x01 0x7E "base.soft_reset" [] CV5_10_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_10_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_10_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_10_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_10_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_10_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_10_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_10_2;
+        0x0C 0x64 "3dm.device_status" [] CV5_10_2;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_10_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_10_1;
+        0x80 0x07 "sensor.delta_theta" [] CV5_10_2;
+        0x80 0x08 "sensor.delta_velocity" [] CV5_10_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_10_2;
     },
     refuses: supported! {
-        0x80 0x01 "sensor.raw_accel" [] CV5_10_EVIDENCE[2];
+        0x80 0x01 "sensor.raw_accel" [] CV5_10_3;
     },
     base_rates: &[
     ],
@@ -590,12 +596,17 @@ pub static CV5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." },
-];
+const CV5_15_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CV5_15_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_15_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_15_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
 
 /// 3DM-CV5-15
 ///
@@ -624,79 +635,79 @@ pub static CV5_15: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV5_15_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CV5_15_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CV5_15_EVIDENCE[1];
-        0x01 0x04 "base.get_device_descriptors" [] CV5_15_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CV5_15_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CV5_15_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_15_EVIDENCE[2];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_15_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CV5_15_EVIDENCE[3];
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_15_EVIDENCE[3];
-        0x0C 0x03 "3dm.poll_filter_data" [] CV5_15_EVIDENCE[3];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_15_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_15_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_15_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_15_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0C 0x64 "3dm.device_status" [] CV5_15_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CV5_15_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CV5_15_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CV5_15_EVIDENCE[3];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] CV5_15_EVIDENCE[3];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_15_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_15_EVIDENCE[3];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_15_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CV5_15_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_15_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CV5_15_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CV5_15_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_15_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] CV5_15_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV5_15_EVIDENCE[3];
-        0x80 0x10 "sensor.north_vector" [] CV5_15_EVIDENCE[3];
-        0x80 0x11 "sensor.up_vector" [] CV5_15_EVIDENCE[3];
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_15_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] CV5_15_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_15_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV5_15_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CV5_15_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] CV5_15_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_15_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_15_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] CV5_15_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_15_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_15_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CV5_15_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] CV5_15_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_15_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] CV5_15_EVIDENCE[3];
-        0x82 0x14 "filter_data.heading_update_state" [] CV5_15_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CV5_15_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV5_15_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CV5_15_1;
+        0x01 0x02 "base.set_idle" [] CV5_15_1;
+        0x01 0x03 "base.get_device_info" [] CV5_15_2;
+        0x01 0x04 "base.get_device_descriptors" [] CV5_15_3;
+        0x01 0x05 "base.built_in_test" [] CV5_15_4;
+        0x01 0x06 "base.resume" [] CV5_15_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_15_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_15_4;
+        0x01 0x7E "base.soft_reset" [] CV5_15_4;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_15_4;
+        0x0C 0x03 "3dm.poll_filter_data" [] CV5_15_4;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_15_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_15_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_15_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_15_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_15_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0C 0x64 "3dm.device_status" [] CV5_15_4;
+        0x0D 0x01 "filter.reset" [] CV5_15_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CV5_15_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CV5_15_4;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x17 "filter.external_heading_update" [] CV5_15_4;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_15_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_15_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_15_4;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_15_4;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_15_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_15_1;
+        0x80 0x07 "sensor.delta_theta" [] CV5_15_4;
+        0x80 0x08 "sensor.delta_velocity" [] CV5_15_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_15_4;
+        0x80 0x0A "sensor.comp_quaternion" [] CV5_15_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV5_15_4;
+        0x80 0x10 "sensor.north_vector" [] CV5_15_4;
+        0x80 0x11 "sensor.up_vector" [] CV5_15_4;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_15_1;
+        0x80 0x17 "sensor.scaled_pressure" [] CV5_15_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_15_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV5_15_4;
+        0x82 0x05 "filter_data.euler_angles" [] CV5_15_1;
+        0x82 0x06 "filter_data.gyro_bias" [] CV5_15_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_15_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_15_4;
+        0x82 0x0D "filter_data.linear_accel" [] CV5_15_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_15_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_15_4;
+        0x82 0x10 "filter_data.status" [] CV5_15_1;
+        0x82 0x11 "filter_data.timestamp" [] CV5_15_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_15_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CV5_15_4;
+        0x82 0x14 "filter_data.heading_update_state" [] CV5_15_4;
+        0x82 0x1C "filter_data.comp_accel" [] CV5_15_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV5_15_4;
     },
     refuses: supported! {
     },
@@ -758,12 +769,17 @@ pub static CV5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
-];
+const CV5_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CV5_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_25_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_25_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CV5-25
 ///
@@ -792,96 +808,96 @@ pub static CV5_25: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV5_25_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CV5_25_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CV5_25_EVIDENCE[1];
-        0x01 0x04 "base.get_device_descriptors" [] CV5_25_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CV5_25_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CV5_25_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_25_EVIDENCE[2];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_25_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CV5_25_EVIDENCE[3];
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_25_EVIDENCE[3];
-        0x0C 0x03 "3dm.poll_filter_data" [] CV5_25_EVIDENCE[3];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_25_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_25_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_25_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_25_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_EVIDENCE[3];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0C 0x64 "3dm.device_status" [] CV5_25_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CV5_25_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CV5_25_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CV5_25_EVIDENCE[3];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] CV5_25_EVIDENCE[3];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_25_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_25_EVIDENCE[3];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CV5_25_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_25_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CV5_25_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_25_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CV5_25_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] CV5_25_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CV5_25_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_25_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] CV5_25_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV5_25_EVIDENCE[3];
-        0x80 0x10 "sensor.north_vector" [] CV5_25_EVIDENCE[3];
-        0x80 0x11 "sensor.up_vector" [] CV5_25_EVIDENCE[3];
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_25_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] CV5_25_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_25_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV5_25_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CV5_25_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] CV5_25_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_25_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_25_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] CV5_25_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_25_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_25_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CV5_25_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] CV5_25_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_25_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] CV5_25_EVIDENCE[3];
-        0x82 0x14 "filter_data.heading_update_state" [] CV5_25_EVIDENCE[3];
-        0x82 0x15 "filter_data.magnetic_model" [] CV5_25_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CV5_25_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV5_25_EVIDENCE[3];
-        0x82 0x25 "filter_data.mag_offset" [] CV5_25_EVIDENCE[3];
-        0x82 0x26 "filter_data.mag_matrix" [] CV5_25_EVIDENCE[3];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV5_25_EVIDENCE[3];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_25_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CV5_25_1;
+        0x01 0x02 "base.set_idle" [] CV5_25_1;
+        0x01 0x03 "base.get_device_info" [] CV5_25_2;
+        0x01 0x04 "base.get_device_descriptors" [] CV5_25_3;
+        0x01 0x05 "base.built_in_test" [] CV5_25_4;
+        0x01 0x06 "base.resume" [] CV5_25_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_25_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_25_4;
+        0x01 0x7E "base.soft_reset" [] CV5_25_4;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_25_4;
+        0x0C 0x03 "3dm.poll_filter_data" [] CV5_25_4;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_25_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_25_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_25_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_25_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_25_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_25_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_25_4;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0C 0x64 "3dm.device_status" [] CV5_25_4;
+        0x0D 0x01 "filter.reset" [] CV5_25_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CV5_25_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CV5_25_4;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_25_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x17 "filter.external_heading_update" [] CV5_25_4;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_25_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_25_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_25_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_25_4;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CV5_25_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_25_4;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_25_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_25_1;
+        0x80 0x06 "sensor.scaled_mag" [] CV5_25_4;
+        0x80 0x07 "sensor.delta_theta" [] CV5_25_4;
+        0x80 0x08 "sensor.delta_velocity" [] CV5_25_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_25_4;
+        0x80 0x0A "sensor.comp_quaternion" [] CV5_25_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV5_25_4;
+        0x80 0x10 "sensor.north_vector" [] CV5_25_4;
+        0x80 0x11 "sensor.up_vector" [] CV5_25_4;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_25_1;
+        0x80 0x17 "sensor.scaled_pressure" [] CV5_25_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_25_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV5_25_4;
+        0x82 0x05 "filter_data.euler_angles" [] CV5_25_1;
+        0x82 0x06 "filter_data.gyro_bias" [] CV5_25_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_25_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_25_4;
+        0x82 0x0D "filter_data.linear_accel" [] CV5_25_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_25_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_25_4;
+        0x82 0x10 "filter_data.status" [] CV5_25_1;
+        0x82 0x11 "filter_data.timestamp" [] CV5_25_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_25_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CV5_25_4;
+        0x82 0x14 "filter_data.heading_update_state" [] CV5_25_4;
+        0x82 0x15 "filter_data.magnetic_model" [] CV5_25_4;
+        0x82 0x1C "filter_data.comp_accel" [] CV5_25_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV5_25_4;
+        0x82 0x25 "filter_data.mag_offset" [] CV5_25_4;
+        0x82 0x26 "filter_data.mag_matrix" [] CV5_25_4;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV5_25_4;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_25_4;
     },
     refuses: supported! {
     },
@@ -938,11 +954,14 @@ pub static CV5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV5_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." },
-];
+const CV5_45_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV5_45_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." };
+#[rustfmt::skip]
+const CV5_45_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CV5-45
 ///
@@ -971,130 +990,130 @@ pub static CV5_45: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV5_45_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CV5_45_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CV5_45_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CV5_45_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CV5_45_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CV5_45_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CV5_45_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_45_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CV5_45_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CV5_45_EVIDENCE[1];
-        0x0C 0x02 "3dm.poll_gnss_data" [] CV5_45_EVIDENCE[1];
-        0x0C 0x03 "3dm.poll_filter_data" [] CV5_45_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_45_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV5_45_EVIDENCE[1];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_45_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CV5_45_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_45_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_45_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_EVIDENCE[1];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CV5_45_EVIDENCE[1];
-        0x0D 0x01 "filter.reset" [] CV5_45_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CV5_45_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] CV5_45_EVIDENCE[1];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x16 "filter.external_gnss_update" [] CV5_45_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] CV5_45_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_45_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x22 "filter.commanded_zupt" [] CV5_45_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_45_EVIDENCE[1];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CV5_45_EVIDENCE[1];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_45_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CV5_45_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CV5_45_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CV5_45_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CV5_45_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CV5_45_EVIDENCE[1];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_45_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CV5_45_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV5_45_EVIDENCE[1];
-        0x80 0x10 "sensor.north_vector" [] CV5_45_EVIDENCE[1];
-        0x80 0x11 "sensor.up_vector" [] CV5_45_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CV5_45_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] CV5_45_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] CV5_45_EVIDENCE[1];
-        0x81 0x04 "gnss_data.ecef_position" [] CV5_45_EVIDENCE[1];
-        0x81 0x05 "gnss_data.ned_velocity" [] CV5_45_EVIDENCE[1];
-        0x81 0x06 "gnss_data.ecef_velocity" [] CV5_45_EVIDENCE[1];
-        0x81 0x07 "gnss_data.dop" [] CV5_45_EVIDENCE[1];
-        0x81 0x08 "gnss_data.utc_time" [] CV5_45_EVIDENCE[1];
-        0x81 0x09 "gnss_data.gps_time" [] CV5_45_EVIDENCE[1];
-        0x81 0x0A "gnss_data.clock_info" [] CV5_45_EVIDENCE[1];
-        0x81 0x0B "gnss_data.fix_info" [] CV5_45_EVIDENCE[1];
-        0x81 0x0C "gnss_data.sv_info" [] CV5_45_EVIDENCE[1];
-        0x81 0x0D "gnss_data.hardware_status" [] CV5_45_EVIDENCE[1];
-        0x81 0x0E "gnss_data.dgps_info" [] CV5_45_EVIDENCE[1];
-        0x81 0x0F "gnss_data.dgps_channel" [] CV5_45_EVIDENCE[1];
-        0x82 0x01 "filter_data.llh_position" [] CV5_45_EVIDENCE[2];
-        0x82 0x02 "filter_data.ned_velocity" [] CV5_45_EVIDENCE[2];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_45_EVIDENCE[2];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV5_45_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] CV5_45_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CV5_45_EVIDENCE[2];
-        0x82 0x07 "filter_data.accel_bias" [] CV5_45_EVIDENCE[2];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x0D "filter_data.linear_accel" [] CV5_45_EVIDENCE[2];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_45_EVIDENCE[1];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_45_EVIDENCE[2];
-        0x82 0x10 "filter_data.status" [] CV5_45_EVIDENCE[2];
-        0x82 0x11 "filter_data.timestamp" [] CV5_45_EVIDENCE[2];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x13 "filter_data.gravity_vector" [] CV5_45_EVIDENCE[2];
-        0x82 0x14 "filter_data.heading_update_state" [] CV5_45_EVIDENCE[1];
-        0x82 0x15 "filter_data.magnetic_model" [] CV5_45_EVIDENCE[2];
-        0x82 0x1C "filter_data.comp_accel" [] CV5_45_EVIDENCE[2];
-        0x82 0x20 "filter_data.standard_atmosphere" [] CV5_45_EVIDENCE[2];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV5_45_EVIDENCE[2];
-        0x82 0x25 "filter_data.mag_offset" [] CV5_45_EVIDENCE[2];
-        0x82 0x26 "filter_data.mag_matrix" [] CV5_45_EVIDENCE[2];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV5_45_EVIDENCE[2];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_45_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] CV5_45_1;
+        0x01 0x02 "base.set_idle" [] CV5_45_1;
+        0x01 0x03 "base.get_device_info" [] CV5_45_1;
+        0x01 0x04 "base.get_device_descriptors" [] CV5_45_1;
+        0x01 0x05 "base.built_in_test" [] CV5_45_2;
+        0x01 0x06 "base.resume" [] CV5_45_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CV5_45_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV5_45_2;
+        0x01 0x7E "base.soft_reset" [] CV5_45_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CV5_45_2;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CV5_45_2;
+        0x0C 0x03 "3dm.poll_filter_data" [] CV5_45_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CV5_45_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CV5_45_2;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CV5_45_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CV5_45_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV5_45_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV5_45_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_2;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV5_45_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0C 0x64 "3dm.device_status" [] CV5_45_2;
+        0x0D 0x01 "filter.reset" [] CV5_45_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CV5_45_2;
+        0x0D 0x03 "filter.set_initial_heading" [] CV5_45_2;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x16 "filter.external_gnss_update" [] CV5_45_2;
+        0x0D 0x17 "filter.external_heading_update" [] CV5_45_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV5_45_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x22 "filter.commanded_zupt" [] CV5_45_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CV5_45_2;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CV5_45_2;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CV5_45_2;
+        0x80 0x04 "sensor.scaled_accel" [] CV5_45_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CV5_45_1;
+        0x80 0x06 "sensor.scaled_mag" [] CV5_45_2;
+        0x80 0x07 "sensor.delta_theta" [] CV5_45_2;
+        0x80 0x08 "sensor.delta_velocity" [] CV5_45_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV5_45_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CV5_45_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV5_45_2;
+        0x80 0x10 "sensor.north_vector" [] CV5_45_2;
+        0x80 0x11 "sensor.up_vector" [] CV5_45_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CV5_45_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CV5_45_2;
+        0x81 0x03 "gnss_data.llh_position" [] CV5_45_2;
+        0x81 0x04 "gnss_data.ecef_position" [] CV5_45_2;
+        0x81 0x05 "gnss_data.ned_velocity" [] CV5_45_2;
+        0x81 0x06 "gnss_data.ecef_velocity" [] CV5_45_2;
+        0x81 0x07 "gnss_data.dop" [] CV5_45_2;
+        0x81 0x08 "gnss_data.utc_time" [] CV5_45_2;
+        0x81 0x09 "gnss_data.gps_time" [] CV5_45_2;
+        0x81 0x0A "gnss_data.clock_info" [] CV5_45_2;
+        0x81 0x0B "gnss_data.fix_info" [] CV5_45_2;
+        0x81 0x0C "gnss_data.sv_info" [] CV5_45_2;
+        0x81 0x0D "gnss_data.hardware_status" [] CV5_45_2;
+        0x81 0x0E "gnss_data.dgps_info" [] CV5_45_2;
+        0x81 0x0F "gnss_data.dgps_channel" [] CV5_45_2;
+        0x82 0x01 "filter_data.llh_position" [] CV5_45_3;
+        0x82 0x02 "filter_data.ned_velocity" [] CV5_45_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV5_45_3;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV5_45_2;
+        0x82 0x05 "filter_data.euler_angles" [] CV5_45_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CV5_45_3;
+        0x82 0x07 "filter_data.accel_bias" [] CV5_45_3;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV5_45_3;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV5_45_3;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV5_45_3;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV5_45_3;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV5_45_3;
+        0x82 0x0D "filter_data.linear_accel" [] CV5_45_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV5_45_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CV5_45_3;
+        0x82 0x10 "filter_data.status" [] CV5_45_3;
+        0x82 0x11 "filter_data.timestamp" [] CV5_45_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV5_45_3;
+        0x82 0x13 "filter_data.gravity_vector" [] CV5_45_3;
+        0x82 0x14 "filter_data.heading_update_state" [] CV5_45_2;
+        0x82 0x15 "filter_data.magnetic_model" [] CV5_45_3;
+        0x82 0x1C "filter_data.comp_accel" [] CV5_45_3;
+        0x82 0x20 "filter_data.standard_atmosphere" [] CV5_45_3;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV5_45_3;
+        0x82 0x25 "filter_data.mag_offset" [] CV5_45_3;
+        0x82 0x26 "filter_data.mag_matrix" [] CV5_45_3;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CV5_45_3;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CV5_45_3;
     },
     refuses: supported! {
     },
@@ -1156,22 +1175,47 @@ pub static CV5_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_AHRS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Program for a 3DM-CV7)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-    Evidence { answer: Support::No, why: "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257)." },
-    Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 350)." },
-];
+const CV7_AHRS_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+#[rustfmt::skip]
+const CV7_AHRS_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const CV7_AHRS_3: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+#[rustfmt::skip]
+const CV7_AHRS_4: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+#[rustfmt::skip]
+const CV7_AHRS_5: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+#[rustfmt::skip]
+const CV7_AHRS_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CV7_AHRS_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV7_AHRS_8: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Program for a 3DM-CV7)." };
+#[rustfmt::skip]
+const CV7_AHRS_9: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const CV7_AHRS_10: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+#[rustfmt::skip]
+const CV7_AHRS_11: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CV7_AHRS_12: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+#[rustfmt::skip]
+const CV7_AHRS_13: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257)." };
+#[rustfmt::skip]
+const CV7_AHRS_14: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 350)." };
 
 /// 3DM-CV7-AHRS
 ///
@@ -1229,108 +1273,108 @@ pub static CV7_AHRS: Profile = Profile {
         "Only some pages of the manual are known, so it has more commands and data.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV7_AHRS_EVIDENCE[5];
-        0x01 0x02 "base.set_idle" [] CV7_AHRS_EVIDENCE[5];
-        0x01 0x03 "base.get_device_info" [] CV7_AHRS_EVIDENCE[6];
-        0x01 0x04 "base.get_device_descriptors" [] CV7_AHRS_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CV7_AHRS_EVIDENCE[7];
-        0x01 0x06 "base.resume" [] CV7_AHRS_EVIDENCE[5];
-        0x01 0x07 "base.get_extended_descriptors" [] CV7_AHRS_EVIDENCE[0];
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_AHRS_EVIDENCE[11];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AHRS_EVIDENCE[11];
-        0x01 0x7E "base.soft_reset" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x0D "3dm.poll_data" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x0E "3dm.get_base_rate" [] CV7_AHRS_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[5];
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[8];
-        0x0C 0x2A "3dm.get_event_support" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[5];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[2];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[2];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[5];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[5];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AHRS_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[2];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[0];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[9];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AHRS_EVIDENCE[11];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] CV7_AHRS_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_AHRS_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[11];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[3];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[8];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_EVIDENCE[1];
-        0x13 0x31 "aiding.true_heading" [] CV7_AHRS_EVIDENCE[1];
-        0x13 0x32 "aiding.magnetic_field" [] CV7_AHRS_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CV7_AHRS_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_AHRS_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] CV7_AHRS_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CV7_AHRS_EVIDENCE[11];
-        0x80 0x08 "sensor.delta_velocity" [] CV7_AHRS_EVIDENCE[11];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AHRS_EVIDENCE[10];
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_AHRS_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AHRS_EVIDENCE[10];
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_AHRS_EVIDENCE[11];
-        0x80 0x17 "sensor.scaled_pressure" [] CV7_AHRS_EVIDENCE[0];
-        0x80 0x18 "sensor.overrange_status" [] CV7_AHRS_EVIDENCE[2];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_AHRS_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AHRS_EVIDENCE[9];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AHRS_EVIDENCE[10];
-        0x82 0x0D "filter_data.linear_accel" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AHRS_EVIDENCE[10];
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_AHRS_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CV7_AHRS_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV7_AHRS_EVIDENCE[10];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AHRS_EVIDENCE[4];
-        0xA0 0x01 "system_data.built_in_test" [] CV7_AHRS_EVIDENCE[11];
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_AHRS_EVIDENCE[2];
-        0xA0 0x03 "system_data.gpio_state" [] CV7_AHRS_EVIDENCE[10];
-        0xFF 0xD0 "shared.event_source" [] CV7_AHRS_EVIDENCE[2];
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AHRS_EVIDENCE[2];
-        0xFF 0xD4 "shared.delta_time" [] CV7_AHRS_EVIDENCE[11];
-        0xFF 0xD5 "shared.reference_timestamp" [] CV7_AHRS_EVIDENCE[10];
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AHRS_EVIDENCE[11];
-        0xFF 0xD7 "shared.external_timestamp" [] CV7_AHRS_EVIDENCE[10];
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_AHRS_EVIDENCE[11];
+        0x01 0x01 "base.ping" [] CV7_AHRS_6;
+        0x01 0x02 "base.set_idle" [] CV7_AHRS_6;
+        0x01 0x03 "base.get_device_info" [] CV7_AHRS_7;
+        0x01 0x04 "base.get_device_descriptors" [] CV7_AHRS_1;
+        0x01 0x05 "base.built_in_test" [] CV7_AHRS_8;
+        0x01 0x06 "base.resume" [] CV7_AHRS_6;
+        0x01 0x07 "base.get_extended_descriptors" [] CV7_AHRS_1;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_AHRS_12;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AHRS_12;
+        0x01 0x7E "base.soft_reset" [] CV7_AHRS_12;
+        0x0C 0x0D "3dm.poll_data" [] CV7_AHRS_12;
+        0x0C 0x0E "3dm.get_base_rate" [] CV7_AHRS_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_AHRS_12;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_9;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_AHRS_12;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AHRS_12;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AHRS_12;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AHRS_6;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_6;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AHRS_12;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AHRS_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_3;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AHRS_12;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_10;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AHRS_12;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_1;
+        0x0D 0x01 "filter.reset" [] CV7_AHRS_2;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_AHRS_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_12;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_4;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_9;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AHRS_2;
+        0x13 0x31 "aiding.true_heading" [] CV7_AHRS_2;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_AHRS_2;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_AHRS_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_AHRS_4;
+        0x80 0x06 "sensor.scaled_mag" [] CV7_AHRS_1;
+        0x80 0x07 "sensor.delta_theta" [] CV7_AHRS_12;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_AHRS_12;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AHRS_11;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_AHRS_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AHRS_11;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_AHRS_12;
+        0x80 0x17 "sensor.scaled_pressure" [] CV7_AHRS_1;
+        0x80 0x18 "sensor.overrange_status" [] CV7_AHRS_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AHRS_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AHRS_4;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_AHRS_4;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_AHRS_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AHRS_10;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AHRS_11;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_AHRS_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AHRS_4;
+        0x82 0x10 "filter_data.status" [] CV7_AHRS_4;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AHRS_11;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_AHRS_4;
+        0x82 0x1C "filter_data.comp_accel" [] CV7_AHRS_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV7_AHRS_11;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AHRS_5;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_AHRS_12;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_AHRS_3;
+        0xA0 0x03 "system_data.gpio_state" [] CV7_AHRS_11;
+        0xFF 0xD0 "shared.event_source" [] CV7_AHRS_3;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AHRS_3;
+        0xFF 0xD4 "shared.delta_time" [] CV7_AHRS_12;
+        0xFF 0xD5 "shared.reference_timestamp" [] CV7_AHRS_11;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AHRS_12;
+        0xFF 0xD7 "shared.external_timestamp" [] CV7_AHRS_11;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_AHRS_12;
     },
     refuses: supported! {
-        0x81 0x03 "gnss_data.llh_position" [] CV7_AHRS_EVIDENCE[12];
-        0x81 0x0B "gnss_data.fix_info" [] CV7_AHRS_EVIDENCE[12];
-        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_AHRS_EVIDENCE[12];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_AHRS_EVIDENCE[12];
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AHRS_EVIDENCE[13];
-        0x91 0x03 "gnss_1.llh_position" [] CV7_AHRS_EVIDENCE[12];
-        0x91 0x0B "gnss_1.fix_info" [] CV7_AHRS_EVIDENCE[12];
-        0x91 0x12 "gnss_1.sbas_info" [] CV7_AHRS_EVIDENCE[13];
-        0x91 0x14 "gnss_1.rf_error_detection" [] CV7_AHRS_EVIDENCE[13];
-        0x92 0x0B "gnss_2.fix_info" [] CV7_AHRS_EVIDENCE[13];
-        0x92 0x12 "gnss_2.sbas_info" [] CV7_AHRS_EVIDENCE[13];
-        0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_EVIDENCE[13];
+        0x81 0x03 "gnss_data.llh_position" [] CV7_AHRS_13;
+        0x81 0x0B "gnss_data.fix_info" [] CV7_AHRS_13;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_AHRS_13;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_AHRS_13;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_AHRS_14;
+        0x91 0x03 "gnss_1.llh_position" [] CV7_AHRS_13;
+        0x91 0x0B "gnss_1.fix_info" [] CV7_AHRS_13;
+        0x91 0x12 "gnss_1.sbas_info" [] CV7_AHRS_14;
+        0x91 0x14 "gnss_1.rf_error_detection" [] CV7_AHRS_14;
+        0x92 0x0B "gnss_2.fix_info" [] CV7_AHRS_14;
+        0x92 0x12 "gnss_2.sbas_info" [] CV7_AHRS_14;
+        0x92 0x14 "gnss_2.rf_error_detection" [] CV7_AHRS_14;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -1402,7 +1446,7 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -1417,7 +1461,7 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -1455,20 +1499,41 @@ pub static CV7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_AR_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." },
-    Evidence { answer: Support::Yes, why: "The device lists it (MicroStrain Communication Library: Issue 258)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-    Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 258)." },
-];
+const CV7_AR_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+#[rustfmt::skip]
+const CV7_AR_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const CV7_AR_3: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+#[rustfmt::skip]
+const CV7_AR_4: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+#[rustfmt::skip]
+const CV7_AR_5: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+#[rustfmt::skip]
+const CV7_AR_6: &Evidence =
+    &Evidence { answer: Support::Yes, why: "The device lists it (MicroStrain Communication Library: Issue 258)." };
+#[rustfmt::skip]
+const CV7_AR_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV7_AR_8: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const CV7_AR_9: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+#[rustfmt::skip]
+const CV7_AR_10: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CV7_AR_11: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+#[rustfmt::skip]
+const CV7_AR_12: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 258)." };
 
 /// 3DM-CV7-AR
 ///
@@ -1526,99 +1591,99 @@ pub static CV7_AR: Profile = Profile {
         "Only some pages of the manual are known, so it has more commands and data.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV7_AR_EVIDENCE[6];
-        0x01 0x02 "base.set_idle" [] CV7_AR_EVIDENCE[6];
-        0x01 0x03 "base.get_device_info" [] CV7_AR_EVIDENCE[6];
-        0x01 0x04 "base.get_device_descriptors" [] CV7_AR_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CV7_AR_EVIDENCE[10];
-        0x01 0x06 "base.resume" [] CV7_AR_EVIDENCE[6];
-        0x01 0x07 "base.get_extended_descriptors" [] CV7_AR_EVIDENCE[0];
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_AR_EVIDENCE[5];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AR_EVIDENCE[10];
-        0x01 0x7E "base.soft_reset" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x0D "3dm.poll_data" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x0E "3dm.get_base_rate" [] CV7_AR_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[6];
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[7];
-        0x0C 0x2A "3dm.get_event_support" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[6];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[2];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[2];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[6];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[6];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AR_EVIDENCE[10];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AR_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[2];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AR_EVIDENCE[10];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[0];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[8];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AR_EVIDENCE[10];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] CV7_AR_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_AR_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[10];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[3];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[7];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[1];
-        0x13 0x31 "aiding.true_heading" [] CV7_AR_EVIDENCE[1];
-        0x13 0x32 "aiding.magnetic_field" [] CV7_AR_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CV7_AR_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_AR_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] CV7_AR_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CV7_AR_EVIDENCE[10];
-        0x80 0x08 "sensor.delta_velocity" [] CV7_AR_EVIDENCE[10];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AR_EVIDENCE[9];
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_AR_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AR_EVIDENCE[9];
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_AR_EVIDENCE[10];
-        0x80 0x17 "sensor.scaled_pressure" [] CV7_AR_EVIDENCE[0];
-        0x80 0x18 "sensor.overrange_status" [] CV7_AR_EVIDENCE[2];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AR_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AR_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CV7_AR_EVIDENCE[3];
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_AR_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AR_EVIDENCE[8];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AR_EVIDENCE[9];
-        0x82 0x0D "filter_data.linear_accel" [] CV7_AR_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AR_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CV7_AR_EVIDENCE[3];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AR_EVIDENCE[9];
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_AR_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CV7_AR_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV7_AR_EVIDENCE[9];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AR_EVIDENCE[4];
-        0xA0 0x01 "system_data.built_in_test" [] CV7_AR_EVIDENCE[5];
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_AR_EVIDENCE[2];
-        0xA0 0x03 "system_data.gpio_state" [] CV7_AR_EVIDENCE[5];
-        0xFF 0xD0 "shared.event_source" [] CV7_AR_EVIDENCE[2];
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AR_EVIDENCE[2];
-        0xFF 0xD4 "shared.delta_time" [] CV7_AR_EVIDENCE[5];
-        0xFF 0xD5 "shared.reference_timestamp" [] CV7_AR_EVIDENCE[5];
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AR_EVIDENCE[5];
-        0xFF 0xD7 "shared.external_timestamp" [] CV7_AR_EVIDENCE[5];
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_AR_EVIDENCE[5];
+        0x01 0x01 "base.ping" [] CV7_AR_7;
+        0x01 0x02 "base.set_idle" [] CV7_AR_7;
+        0x01 0x03 "base.get_device_info" [] CV7_AR_7;
+        0x01 0x04 "base.get_device_descriptors" [] CV7_AR_1;
+        0x01 0x05 "base.built_in_test" [] CV7_AR_11;
+        0x01 0x06 "base.resume" [] CV7_AR_7;
+        0x01 0x07 "base.get_extended_descriptors" [] CV7_AR_1;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_AR_6;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_AR_11;
+        0x01 0x7E "base.soft_reset" [] CV7_AR_11;
+        0x0C 0x0D "3dm.poll_data" [] CV7_AR_11;
+        0x0C 0x0E "3dm.get_base_rate" [] CV7_AR_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_AR_11;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_8;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_AR_11;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_AR_11;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_AR_11;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_AR_7;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_7;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_AR_11;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_AR_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_3;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_AR_11;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_9;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_AR_11;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_1;
+        0x0D 0x01 "filter.reset" [] CV7_AR_2;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_AR_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_11;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_4;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_8;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_2;
+        0x13 0x31 "aiding.true_heading" [] CV7_AR_2;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_AR_2;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_AR_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_AR_4;
+        0x80 0x06 "sensor.scaled_mag" [] CV7_AR_1;
+        0x80 0x07 "sensor.delta_theta" [] CV7_AR_11;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_AR_11;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_AR_10;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_AR_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_AR_10;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_AR_11;
+        0x80 0x17 "sensor.scaled_pressure" [] CV7_AR_1;
+        0x80 0x18 "sensor.overrange_status" [] CV7_AR_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_AR_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_AR_4;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_AR_4;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_AR_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_AR_9;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_AR_10;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_AR_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_AR_4;
+        0x82 0x10 "filter_data.status" [] CV7_AR_4;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_AR_10;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_AR_4;
+        0x82 0x1C "filter_data.comp_accel" [] CV7_AR_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV7_AR_10;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_AR_5;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_AR_6;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_AR_3;
+        0xA0 0x03 "system_data.gpio_state" [] CV7_AR_6;
+        0xFF 0xD0 "shared.event_source" [] CV7_AR_3;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_AR_3;
+        0xFF 0xD4 "shared.delta_time" [] CV7_AR_6;
+        0xFF 0xD5 "shared.reference_timestamp" [] CV7_AR_6;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_AR_6;
+        0xFF 0xD7 "shared.external_timestamp" [] CV7_AR_6;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_AR_6;
     },
     refuses: supported! {
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[11];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[11];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_EVIDENCE[11];
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CV7_AR_12;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -1690,7 +1755,7 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -1705,7 +1770,7 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -1743,9 +1808,8 @@ pub static CV7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_GNSS_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-];
+const CV7_GNSS_INS_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
 
 /// 3DM-CV7-GNSS/INS
 ///
@@ -1903,189 +1967,189 @@ pub static CV7_GNSS_INS: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE] CV7_GNSS_INS_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x0D "3dm.poll_data" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x0E "3dm.get_base_rate" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2A "3dm.get_event_support" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x05 "filter.run" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x17 "filter.external_heading_update" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0E 0x01 "gnss.receiver_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x0E 0x20 "gnss.spartn_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x21 "aiding.ecef_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x22 "aiding.llh_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x28 "aiding.ecef_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x29 "aiding.ned_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x2A "aiding.body_frame_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x31 "aiding.true_heading" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x32 "aiding.magnetic_field" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x13 0x33 "aiding.pressure" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x7F 0x02 "system.interface_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x08 "sensor.delta_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x12 "sensor.gps_timestamp" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x18 "sensor.overrange_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x80 0x40 "sensor.odometer" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x01 "filter_data.llh_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x02 "filter_data.ned_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x05 "filter_data.euler_angles" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x07 "filter_data.accel_bias" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x0D "filter_data.linear_accel" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x10 "filter_data.status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x15 "filter_data.magnetic_model" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x1C "filter_data.comp_accel" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x40 "filter_data.ecef_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x41 "filter_data.ecef_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x42 "filter_data.ned_relative_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x47 "filter_data.odometer_scale_factor_error" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x03 "gnss_1.llh_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x04 "gnss_1.ecef_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x05 "gnss_1.ned_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x06 "gnss_1.ecef_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x07 "gnss_1.dop" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x08 "gnss_1.utc_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x09 "gnss_1.gps_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x0B "gnss_1.fix_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x0D "gnss_1.hardware_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x10 "gnss_1.clock_info_2" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x11 "gnss_1.gps_leap_seconds" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x12 "gnss_1.sbas_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x20 "gnss_1.satellite_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x22 "gnss_1.raw" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x61 "gnss_1.gps_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x62 "gnss_1.glonass_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x63 "gnss_1.galileo_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x91 0x64 "gnss_1.beidou_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x03 "gnss_2.llh_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x04 "gnss_2.ecef_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x05 "gnss_2.ned_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x06 "gnss_2.ecef_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x07 "gnss_2.dop" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x08 "gnss_2.utc_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x09 "gnss_2.gps_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x0B "gnss_2.fix_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x0D "gnss_2.hardware_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x10 "gnss_2.clock_info_2" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x11 "gnss_2.gps_leap_seconds" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x12 "gnss_2.sbas_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x20 "gnss_2.satellite_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x22 "gnss_2.raw" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x61 "gnss_2.gps_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x62 "gnss_2.glonass_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x63 "gnss_2.galileo_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x92 0x64 "gnss_2.beidou_ephemeris" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x93 0x30 "gnss_corrections.base_station_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x94 0x03 "gnss_external.llh_position" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x94 0x05 "gnss_external.ned_velocity" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x94 0x08 "gnss_external.utc_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x94 0x0B "gnss_external.fix_info" [] CV7_GNSS_INS_EVIDENCE[0];
-        0x94 0x20 "gnss_external.satellite_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xA0 0x01 "system_data.built_in_test" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xA0 0x03 "system_data.gpio_state" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD0 "shared.event_source" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD4 "shared.delta_time" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD5 "shared.reference_timestamp" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD7 "shared.external_timestamp" [] CV7_GNSS_INS_EVIDENCE[0];
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_GNSS_INS_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] CV7_GNSS_INS_1;
+        0x01 0x02 "base.set_idle" [] CV7_GNSS_INS_1;
+        0x01 0x03 "base.get_device_info" [] CV7_GNSS_INS_1;
+        0x01 0x04 "base.get_device_descriptors" [] CV7_GNSS_INS_1;
+        0x01 0x05 "base.built_in_test" [] CV7_GNSS_INS_1;
+        0x01 0x06 "base.resume" [] CV7_GNSS_INS_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CV7_GNSS_INS_1;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_GNSS_INS_1;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x01 0x72 "base.gps_time_update" [WRITE] CV7_GNSS_INS_1;
+        0x01 0x7E "base.soft_reset" [] CV7_GNSS_INS_1;
+        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_GNSS_INS_1;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x0D "3dm.poll_data" [] CV7_GNSS_INS_1;
+        0x0C 0x0E "3dm.get_base_rate" [] CV7_GNSS_INS_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_GNSS_INS_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_GNSS_INS_1;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_GNSS_INS_1;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_GNSS_INS_1;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_GNSS_INS_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_GNSS_INS_1;
+        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_GNSS_INS_1;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x01 "filter.reset" [] CV7_GNSS_INS_1;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_GNSS_INS_1;
+        0x0D 0x05 "filter.run" [] CV7_GNSS_INS_1;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x17 "filter.external_heading_update" [] CV7_GNSS_INS_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_GNSS_INS_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0E 0x01 "gnss.receiver_info" [] CV7_GNSS_INS_1;
+        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x0E 0x20 "gnss.spartn_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x13 0x21 "aiding.ecef_position" [] CV7_GNSS_INS_1;
+        0x13 0x22 "aiding.llh_position" [] CV7_GNSS_INS_1;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_GNSS_INS_1;
+        0x13 0x28 "aiding.ecef_velocity" [] CV7_GNSS_INS_1;
+        0x13 0x29 "aiding.ned_velocity" [] CV7_GNSS_INS_1;
+        0x13 0x2A "aiding.body_frame_velocity" [] CV7_GNSS_INS_1;
+        0x13 0x31 "aiding.true_heading" [] CV7_GNSS_INS_1;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_GNSS_INS_1;
+        0x13 0x33 "aiding.pressure" [] CV7_GNSS_INS_1;
+        0x7F 0x02 "system.interface_control" [WRITE READ SAVE LOAD DEFAULT] CV7_GNSS_INS_1;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_GNSS_INS_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_GNSS_INS_1;
+        0x80 0x06 "sensor.scaled_mag" [] CV7_GNSS_INS_1;
+        0x80 0x07 "sensor.delta_theta" [] CV7_GNSS_INS_1;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_GNSS_INS_1;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_GNSS_INS_1;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_GNSS_INS_1;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_GNSS_INS_1;
+        0x80 0x12 "sensor.gps_timestamp" [] CV7_GNSS_INS_1;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_GNSS_INS_1;
+        0x80 0x17 "sensor.scaled_pressure" [] CV7_GNSS_INS_1;
+        0x80 0x18 "sensor.overrange_status" [] CV7_GNSS_INS_1;
+        0x80 0x40 "sensor.odometer" [] CV7_GNSS_INS_1;
+        0x82 0x01 "filter_data.llh_position" [] CV7_GNSS_INS_1;
+        0x82 0x02 "filter_data.ned_velocity" [] CV7_GNSS_INS_1;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_GNSS_INS_1;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_GNSS_INS_1;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_GNSS_INS_1;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_GNSS_INS_1;
+        0x82 0x07 "filter_data.accel_bias" [] CV7_GNSS_INS_1;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_GNSS_INS_1;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_GNSS_INS_1;
+        0x82 0x10 "filter_data.status" [] CV7_GNSS_INS_1;
+        0x82 0x11 "filter_data.timestamp" [] CV7_GNSS_INS_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_GNSS_INS_1;
+        0x82 0x15 "filter_data.magnetic_model" [] CV7_GNSS_INS_1;
+        0x82 0x1C "filter_data.comp_accel" [] CV7_GNSS_INS_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV7_GNSS_INS_1;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] CV7_GNSS_INS_1;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x40 "filter_data.ecef_position" [] CV7_GNSS_INS_1;
+        0x82 0x41 "filter_data.ecef_velocity" [] CV7_GNSS_INS_1;
+        0x82 0x42 "filter_data.ned_relative_position" [] CV7_GNSS_INS_1;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_GNSS_INS_1;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] CV7_GNSS_INS_1;
+        0x82 0x47 "filter_data.odometer_scale_factor_error" [] CV7_GNSS_INS_1;
+        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [] CV7_GNSS_INS_1;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] CV7_GNSS_INS_1;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_GNSS_INS_1;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_GNSS_INS_1;
+        0x91 0x03 "gnss_1.llh_position" [] CV7_GNSS_INS_1;
+        0x91 0x04 "gnss_1.ecef_position" [] CV7_GNSS_INS_1;
+        0x91 0x05 "gnss_1.ned_velocity" [] CV7_GNSS_INS_1;
+        0x91 0x06 "gnss_1.ecef_velocity" [] CV7_GNSS_INS_1;
+        0x91 0x07 "gnss_1.dop" [] CV7_GNSS_INS_1;
+        0x91 0x08 "gnss_1.utc_time" [] CV7_GNSS_INS_1;
+        0x91 0x09 "gnss_1.gps_time" [] CV7_GNSS_INS_1;
+        0x91 0x0B "gnss_1.fix_info" [] CV7_GNSS_INS_1;
+        0x91 0x0D "gnss_1.hardware_status" [] CV7_GNSS_INS_1;
+        0x91 0x10 "gnss_1.clock_info_2" [] CV7_GNSS_INS_1;
+        0x91 0x11 "gnss_1.gps_leap_seconds" [] CV7_GNSS_INS_1;
+        0x91 0x12 "gnss_1.sbas_info" [] CV7_GNSS_INS_1;
+        0x91 0x20 "gnss_1.satellite_status" [] CV7_GNSS_INS_1;
+        0x91 0x22 "gnss_1.raw" [] CV7_GNSS_INS_1;
+        0x91 0x61 "gnss_1.gps_ephemeris" [] CV7_GNSS_INS_1;
+        0x91 0x62 "gnss_1.glonass_ephemeris" [] CV7_GNSS_INS_1;
+        0x91 0x63 "gnss_1.galileo_ephemeris" [] CV7_GNSS_INS_1;
+        0x91 0x64 "gnss_1.beidou_ephemeris" [] CV7_GNSS_INS_1;
+        0x92 0x03 "gnss_2.llh_position" [] CV7_GNSS_INS_1;
+        0x92 0x04 "gnss_2.ecef_position" [] CV7_GNSS_INS_1;
+        0x92 0x05 "gnss_2.ned_velocity" [] CV7_GNSS_INS_1;
+        0x92 0x06 "gnss_2.ecef_velocity" [] CV7_GNSS_INS_1;
+        0x92 0x07 "gnss_2.dop" [] CV7_GNSS_INS_1;
+        0x92 0x08 "gnss_2.utc_time" [] CV7_GNSS_INS_1;
+        0x92 0x09 "gnss_2.gps_time" [] CV7_GNSS_INS_1;
+        0x92 0x0B "gnss_2.fix_info" [] CV7_GNSS_INS_1;
+        0x92 0x0D "gnss_2.hardware_status" [] CV7_GNSS_INS_1;
+        0x92 0x10 "gnss_2.clock_info_2" [] CV7_GNSS_INS_1;
+        0x92 0x11 "gnss_2.gps_leap_seconds" [] CV7_GNSS_INS_1;
+        0x92 0x12 "gnss_2.sbas_info" [] CV7_GNSS_INS_1;
+        0x92 0x20 "gnss_2.satellite_status" [] CV7_GNSS_INS_1;
+        0x92 0x22 "gnss_2.raw" [] CV7_GNSS_INS_1;
+        0x92 0x61 "gnss_2.gps_ephemeris" [] CV7_GNSS_INS_1;
+        0x92 0x62 "gnss_2.glonass_ephemeris" [] CV7_GNSS_INS_1;
+        0x92 0x63 "gnss_2.galileo_ephemeris" [] CV7_GNSS_INS_1;
+        0x92 0x64 "gnss_2.beidou_ephemeris" [] CV7_GNSS_INS_1;
+        0x93 0x30 "gnss_corrections.base_station_info" [] CV7_GNSS_INS_1;
+        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] CV7_GNSS_INS_1;
+        0x94 0x03 "gnss_external.llh_position" [] CV7_GNSS_INS_1;
+        0x94 0x05 "gnss_external.ned_velocity" [] CV7_GNSS_INS_1;
+        0x94 0x08 "gnss_external.utc_time" [] CV7_GNSS_INS_1;
+        0x94 0x0B "gnss_external.fix_info" [] CV7_GNSS_INS_1;
+        0x94 0x20 "gnss_external.satellite_status" [] CV7_GNSS_INS_1;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_GNSS_INS_1;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_GNSS_INS_1;
+        0xA0 0x03 "system_data.gpio_state" [] CV7_GNSS_INS_1;
+        0xFF 0xD0 "shared.event_source" [] CV7_GNSS_INS_1;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_GNSS_INS_1;
+        0xFF 0xD4 "shared.delta_time" [] CV7_GNSS_INS_1;
+        0xFF 0xD5 "shared.reference_timestamp" [] CV7_GNSS_INS_1;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_GNSS_INS_1;
+        0xFF 0xD7 "shared.external_timestamp" [] CV7_GNSS_INS_1;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_GNSS_INS_1;
     },
     refuses: supported! {
     },
@@ -2357,19 +2421,38 @@ pub static CV7_GNSS_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CV7_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const CV7_INS_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const CV7_INS_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)." };
+#[rustfmt::skip]
+const CV7_INS_3: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." };
+#[rustfmt::skip]
+const CV7_INS_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CV7_INS_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CV7_INS_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+#[rustfmt::skip]
+const CV7_INS_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const CV7_INS_8: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const CV7_INS_9: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026)." };
+#[rustfmt::skip]
+const CV7_INS_10: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CV7_INS_11: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CV7-INS
 ///
@@ -2432,138 +2515,138 @@ pub static CV7_INS: Profile = Profile {
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CV7_INS_EVIDENCE[3];
-        0x01 0x02 "base.set_idle" [] CV7_INS_EVIDENCE[3];
-        0x01 0x03 "base.get_device_info" [] CV7_INS_EVIDENCE[3];
-        0x01 0x04 "base.get_device_descriptors" [] CV7_INS_EVIDENCE[5];
-        0x01 0x05 "base.built_in_test" [] CV7_INS_EVIDENCE[10];
-        0x01 0x06 "base.resume" [] CV7_INS_EVIDENCE[3];
-        0x01 0x07 "base.get_extended_descriptors" [] CV7_INS_EVIDENCE[5];
-        0x01 0x08 "base.continuous_built_in_test" [] CV7_INS_EVIDENCE[10];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[6];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_INS_EVIDENCE[10];
-        0x01 0x7E "base.soft_reset" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x0D "3dm.poll_data" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x0E "3dm.get_base_rate" [] CV7_INS_EVIDENCE[3];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[3];
-        0x0C 0x10 "3dm.factory_streaming" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[5];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[6];
-        0x0C 0x2A "3dm.get_event_support" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x2D "3dm.get_event_action_status" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[3];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[5];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_EVIDENCE[10];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_EVIDENCE[10];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_INS_EVIDENCE[3];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_EVIDENCE[10];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_EVIDENCE[10];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[6];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_INS_EVIDENCE[6];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[5];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_INS_EVIDENCE[10];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x01 "filter.reset" [] CV7_INS_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CV7_INS_EVIDENCE[10];
-        0x0D 0x05 "filter.run" [] CV7_INS_EVIDENCE[10];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[0];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[5];
-        0x0D 0x17 "filter.external_heading_update" [] CV7_INS_EVIDENCE[10];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_INS_EVIDENCE[10];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[0];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[6];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[3];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[1];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[7];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[6];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[1];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_EVIDENCE[10];
-        0x13 0x21 "aiding.ecef_position" [] CV7_INS_EVIDENCE[10];
-        0x13 0x22 "aiding.llh_position" [] CV7_INS_EVIDENCE[3];
-        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_INS_EVIDENCE[10];
-        0x13 0x28 "aiding.ecef_velocity" [] CV7_INS_EVIDENCE[10];
-        0x13 0x29 "aiding.ned_velocity" [] CV7_INS_EVIDENCE[3];
-        0x13 0x2A "aiding.body_frame_velocity" [] CV7_INS_EVIDENCE[3];
-        0x13 0x31 "aiding.true_heading" [] CV7_INS_EVIDENCE[3];
-        0x13 0x32 "aiding.magnetic_field" [] CV7_INS_EVIDENCE[10];
-        0x13 0x33 "aiding.pressure" [] CV7_INS_EVIDENCE[10];
-        0x80 0x04 "sensor.scaled_accel" [] CV7_INS_EVIDENCE[8];
-        0x80 0x05 "sensor.scaled_gyro" [] CV7_INS_EVIDENCE[8];
-        0x80 0x06 "sensor.scaled_mag" [] CV7_INS_EVIDENCE[5];
-        0x80 0x07 "sensor.delta_theta" [] CV7_INS_EVIDENCE[10];
-        0x80 0x08 "sensor.delta_velocity" [] CV7_INS_EVIDENCE[10];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_INS_EVIDENCE[9];
-        0x80 0x0A "sensor.comp_quaternion" [] CV7_INS_EVIDENCE[9];
-        0x80 0x0C "sensor.comp_euler_angles" [] CV7_INS_EVIDENCE[9];
-        0x80 0x14 "sensor.temperature_statistics" [] CV7_INS_EVIDENCE[10];
-        0x80 0x17 "sensor.scaled_pressure" [] CV7_INS_EVIDENCE[5];
-        0x80 0x18 "sensor.overrange_status" [] CV7_INS_EVIDENCE[10];
-        0x82 0x01 "filter_data.llh_position" [] CV7_INS_EVIDENCE[4];
-        0x82 0x02 "filter_data.ned_velocity" [] CV7_INS_EVIDENCE[4];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_INS_EVIDENCE[5];
-        0x82 0x04 "filter_data.attitude_dcm" [] CV7_INS_EVIDENCE[10];
-        0x82 0x05 "filter_data.euler_angles" [] CV7_INS_EVIDENCE[4];
-        0x82 0x06 "filter_data.gyro_bias" [] CV7_INS_EVIDENCE[9];
-        0x82 0x07 "filter_data.accel_bias" [] CV7_INS_EVIDENCE[9];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV7_INS_EVIDENCE[5];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV7_INS_EVIDENCE[5];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_INS_EVIDENCE[5];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_INS_EVIDENCE[9];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV7_INS_EVIDENCE[9];
-        0x82 0x0D "filter_data.linear_accel" [] CV7_INS_EVIDENCE[5];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_INS_EVIDENCE[5];
-        0x82 0x10 "filter_data.status" [] CV7_INS_EVIDENCE[4];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_INS_EVIDENCE[9];
-        0x82 0x13 "filter_data.gravity_vector" [] CV7_INS_EVIDENCE[9];
-        0x82 0x15 "filter_data.magnetic_model" [] CV7_INS_EVIDENCE[10];
-        0x82 0x1C "filter_data.comp_accel" [] CV7_INS_EVIDENCE[9];
-        0x82 0x21 "filter_data.pressure_altitude" [] CV7_INS_EVIDENCE[9];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CV7_INS_EVIDENCE[6];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_INS_EVIDENCE[10];
-        0x82 0x40 "filter_data.ecef_position" [] CV7_INS_EVIDENCE[6];
-        0x82 0x41 "filter_data.ecef_velocity" [] CV7_INS_EVIDENCE[10];
-        0x82 0x42 "filter_data.ned_relative_position" [] CV7_INS_EVIDENCE[6];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_INS_EVIDENCE[10];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] CV7_INS_EVIDENCE[6];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_INS_EVIDENCE[1];
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_INS_EVIDENCE[10];
-        0x94 0x03 "gnss_external.llh_position" [] CV7_INS_EVIDENCE[2];
-        0x94 0x04 "gnss_external.ecef_position" [] CV7_INS_EVIDENCE[2];
-        0x94 0x05 "gnss_external.ned_velocity" [] CV7_INS_EVIDENCE[2];
-        0x94 0x06 "gnss_external.ecef_velocity" [] CV7_INS_EVIDENCE[2];
-        0x94 0x07 "gnss_external.dop" [] CV7_INS_EVIDENCE[2];
-        0x94 0x08 "gnss_external.utc_time" [] CV7_INS_EVIDENCE[2];
-        0x94 0x0B "gnss_external.fix_info" [] CV7_INS_EVIDENCE[2];
-        0x94 0x10 "gnss_external.clock_info_2" [] CV7_INS_EVIDENCE[2];
-        0x94 0x11 "gnss_external.gps_leap_seconds" [] CV7_INS_EVIDENCE[2];
-        0x94 0x14 "gnss_external.rf_error_detection" [] CV7_INS_EVIDENCE[2];
-        0x94 0x20 "gnss_external.satellite_status" [] CV7_INS_EVIDENCE[2];
-        0xA0 0x01 "system_data.built_in_test" [] CV7_INS_EVIDENCE[10];
-        0xA0 0x02 "system_data.time_sync_status" [] CV7_INS_EVIDENCE[4];
-        0xA0 0x03 "system_data.gpio_state" [] CV7_INS_EVIDENCE[9];
-        0xFF 0xD0 "shared.event_source" [] CV7_INS_EVIDENCE[10];
-        0xFF 0xD3 "shared.gps_timestamp" [] CV7_INS_EVIDENCE[4];
-        0xFF 0xD4 "shared.delta_time" [] CV7_INS_EVIDENCE[10];
-        0xFF 0xD5 "shared.reference_timestamp" [] CV7_INS_EVIDENCE[9];
-        0xFF 0xD6 "shared.reference_time_delta" [] CV7_INS_EVIDENCE[10];
-        0xFF 0xD7 "shared.external_timestamp" [] CV7_INS_EVIDENCE[9];
-        0xFF 0xD8 "shared.external_time_delta" [] CV7_INS_EVIDENCE[10];
+        0x01 0x01 "base.ping" [] CV7_INS_4;
+        0x01 0x02 "base.set_idle" [] CV7_INS_4;
+        0x01 0x03 "base.get_device_info" [] CV7_INS_4;
+        0x01 0x04 "base.get_device_descriptors" [] CV7_INS_6;
+        0x01 0x05 "base.built_in_test" [] CV7_INS_11;
+        0x01 0x06 "base.resume" [] CV7_INS_4;
+        0x01 0x07 "base.get_extended_descriptors" [] CV7_INS_6;
+        0x01 0x08 "base.continuous_built_in_test" [] CV7_INS_11;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CV7_INS_11;
+        0x01 0x7E "base.soft_reset" [] CV7_INS_11;
+        0x0C 0x04 "3dm.poll_nmea_data" [] CV7_INS_11;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x0D "3dm.poll_data" [] CV7_INS_11;
+        0x0C 0x0E "3dm.get_base_rate" [] CV7_INS_4;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_4;
+        0x0C 0x10 "3dm.factory_streaming" [] CV7_INS_11;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
+        0x0C 0x2A "3dm.get_event_support" [] CV7_INS_11;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CV7_INS_11;
+        0x0C 0x2D "3dm.get_event_action_status" [] CV7_INS_11;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CV7_INS_4;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CV7_INS_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CV7_INS_11;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CV7_INS_7;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CV7_INS_11;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x01 "filter.reset" [] CV7_INS_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CV7_INS_11;
+        0x0D 0x05 "filter.run" [] CV7_INS_11;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_1;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_6;
+        0x0D 0x17 "filter.external_heading_update" [] CV7_INS_11;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CV7_INS_11;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_1;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_4;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_2;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_8;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_7;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_2;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CV7_INS_11;
+        0x13 0x21 "aiding.ecef_position" [] CV7_INS_11;
+        0x13 0x22 "aiding.llh_position" [] CV7_INS_4;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] CV7_INS_11;
+        0x13 0x28 "aiding.ecef_velocity" [] CV7_INS_11;
+        0x13 0x29 "aiding.ned_velocity" [] CV7_INS_4;
+        0x13 0x2A "aiding.body_frame_velocity" [] CV7_INS_4;
+        0x13 0x31 "aiding.true_heading" [] CV7_INS_4;
+        0x13 0x32 "aiding.magnetic_field" [] CV7_INS_11;
+        0x13 0x33 "aiding.pressure" [] CV7_INS_11;
+        0x80 0x04 "sensor.scaled_accel" [] CV7_INS_9;
+        0x80 0x05 "sensor.scaled_gyro" [] CV7_INS_9;
+        0x80 0x06 "sensor.scaled_mag" [] CV7_INS_6;
+        0x80 0x07 "sensor.delta_theta" [] CV7_INS_11;
+        0x80 0x08 "sensor.delta_velocity" [] CV7_INS_11;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CV7_INS_10;
+        0x80 0x0A "sensor.comp_quaternion" [] CV7_INS_10;
+        0x80 0x0C "sensor.comp_euler_angles" [] CV7_INS_10;
+        0x80 0x14 "sensor.temperature_statistics" [] CV7_INS_11;
+        0x80 0x17 "sensor.scaled_pressure" [] CV7_INS_6;
+        0x80 0x18 "sensor.overrange_status" [] CV7_INS_11;
+        0x82 0x01 "filter_data.llh_position" [] CV7_INS_5;
+        0x82 0x02 "filter_data.ned_velocity" [] CV7_INS_5;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CV7_INS_6;
+        0x82 0x04 "filter_data.attitude_dcm" [] CV7_INS_11;
+        0x82 0x05 "filter_data.euler_angles" [] CV7_INS_5;
+        0x82 0x06 "filter_data.gyro_bias" [] CV7_INS_10;
+        0x82 0x07 "filter_data.accel_bias" [] CV7_INS_10;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CV7_INS_6;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CV7_INS_6;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CV7_INS_6;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CV7_INS_10;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CV7_INS_10;
+        0x82 0x0D "filter_data.linear_accel" [] CV7_INS_6;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CV7_INS_6;
+        0x82 0x10 "filter_data.status" [] CV7_INS_5;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CV7_INS_10;
+        0x82 0x13 "filter_data.gravity_vector" [] CV7_INS_10;
+        0x82 0x15 "filter_data.magnetic_model" [] CV7_INS_11;
+        0x82 0x1C "filter_data.comp_accel" [] CV7_INS_10;
+        0x82 0x21 "filter_data.pressure_altitude" [] CV7_INS_10;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CV7_INS_7;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CV7_INS_11;
+        0x82 0x40 "filter_data.ecef_position" [] CV7_INS_7;
+        0x82 0x41 "filter_data.ecef_velocity" [] CV7_INS_11;
+        0x82 0x42 "filter_data.ned_relative_position" [] CV7_INS_7;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CV7_INS_11;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] CV7_INS_7;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CV7_INS_2;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CV7_INS_11;
+        0x94 0x03 "gnss_external.llh_position" [] CV7_INS_3;
+        0x94 0x04 "gnss_external.ecef_position" [] CV7_INS_3;
+        0x94 0x05 "gnss_external.ned_velocity" [] CV7_INS_3;
+        0x94 0x06 "gnss_external.ecef_velocity" [] CV7_INS_3;
+        0x94 0x07 "gnss_external.dop" [] CV7_INS_3;
+        0x94 0x08 "gnss_external.utc_time" [] CV7_INS_3;
+        0x94 0x0B "gnss_external.fix_info" [] CV7_INS_3;
+        0x94 0x10 "gnss_external.clock_info_2" [] CV7_INS_3;
+        0x94 0x11 "gnss_external.gps_leap_seconds" [] CV7_INS_3;
+        0x94 0x14 "gnss_external.rf_error_detection" [] CV7_INS_3;
+        0x94 0x20 "gnss_external.satellite_status" [] CV7_INS_3;
+        0xA0 0x01 "system_data.built_in_test" [] CV7_INS_11;
+        0xA0 0x02 "system_data.time_sync_status" [] CV7_INS_5;
+        0xA0 0x03 "system_data.gpio_state" [] CV7_INS_10;
+        0xFF 0xD0 "shared.event_source" [] CV7_INS_11;
+        0xFF 0xD3 "shared.gps_timestamp" [] CV7_INS_5;
+        0xFF 0xD4 "shared.delta_time" [] CV7_INS_11;
+        0xFF 0xD5 "shared.reference_timestamp" [] CV7_INS_10;
+        0xFF 0xD6 "shared.reference_time_delta" [] CV7_INS_11;
+        0xFF 0xD7 "shared.external_timestamp" [] CV7_INS_10;
+        0xFF 0xD8 "shared.external_time_delta" [] CV7_INS_11;
     },
     refuses: supported! {
     },
@@ -2625,7 +2708,7 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -2640,7 +2723,7 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -2683,11 +2766,14 @@ pub static CV7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_10_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." },
-];
+const CX5_10_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)." };
+#[rustfmt::skip]
+const CX5_10_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_10_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CX5-10
 ///
@@ -2719,33 +2805,33 @@ pub static CX5_10: Profile = Profile {
         "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm` and `sensor` only.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_10_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CX5_10_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CX5_10_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CX5_10_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CX5_10_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] CX5_10_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_10_EVIDENCE[1];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_10_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] CX5_10_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_10_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_10_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_10_EVIDENCE[1];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_10_EVIDENCE[2];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_10_EVIDENCE[2];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_10_EVIDENCE[2];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[2];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[2];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[2];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_10_EVIDENCE[2];
-        0x0C 0x64 "3dm.device_status" [] CX5_10_EVIDENCE[2];
-        0x80 0x04 "sensor.scaled_accel" [] CX5_10_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_10_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CX5_10_EVIDENCE[2];
-        0x80 0x08 "sensor.delta_velocity" [] CX5_10_EVIDENCE[2];
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_10_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] CX5_10_1;
+        0x01 0x02 "base.set_idle" [] CX5_10_1;
+        0x01 0x03 "base.get_device_info" [] CX5_10_1;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_10_1;
+        0x01 0x05 "base.built_in_test" [] CX5_10_1;
+        0x01 0x06 "base.resume" [] CX5_10_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_10_2;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_10_1;
+        0x01 0x7E "base.soft_reset" [] CX5_10_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_10_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_10_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_10_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_10_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_10_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_10_3;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_10_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_10_3;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_10_3;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_10_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_10_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_10_3;
+        0x0C 0x64 "3dm.device_status" [] CX5_10_3;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_10_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_10_2;
+        0x80 0x07 "sensor.delta_theta" [] CX5_10_3;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_10_3;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_10_3;
     },
     refuses: supported! {
     },
@@ -2782,12 +2868,17 @@ pub static CX5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." },
-];
+const CX5_15_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CX5_15_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_15_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_15_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
 
 /// 3DM-CX5-15
 ///
@@ -2816,79 +2907,79 @@ pub static CX5_15: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_15_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CX5_15_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CX5_15_EVIDENCE[1];
-        0x01 0x04 "base.get_device_descriptors" [] CX5_15_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CX5_15_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CX5_15_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_15_EVIDENCE[2];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_15_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CX5_15_EVIDENCE[3];
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_15_EVIDENCE[3];
-        0x0C 0x03 "3dm.poll_filter_data" [] CX5_15_EVIDENCE[3];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_15_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_15_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_15_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_15_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_15_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_15_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0C 0x64 "3dm.device_status" [] CX5_15_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CX5_15_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CX5_15_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CX5_15_EVIDENCE[3];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] CX5_15_EVIDENCE[3];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_15_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_15_EVIDENCE[3];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_15_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CX5_15_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_15_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CX5_15_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CX5_15_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_15_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] CX5_15_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX5_15_EVIDENCE[3];
-        0x80 0x10 "sensor.north_vector" [] CX5_15_EVIDENCE[3];
-        0x80 0x11 "sensor.up_vector" [] CX5_15_EVIDENCE[3];
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_15_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] CX5_15_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_15_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX5_15_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CX5_15_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] CX5_15_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_15_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_15_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] CX5_15_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_15_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_15_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CX5_15_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] CX5_15_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_15_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] CX5_15_EVIDENCE[3];
-        0x82 0x14 "filter_data.heading_update_state" [] CX5_15_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CX5_15_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX5_15_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CX5_15_1;
+        0x01 0x02 "base.set_idle" [] CX5_15_1;
+        0x01 0x03 "base.get_device_info" [] CX5_15_2;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_15_3;
+        0x01 0x05 "base.built_in_test" [] CX5_15_4;
+        0x01 0x06 "base.resume" [] CX5_15_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_15_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_15_4;
+        0x01 0x7E "base.soft_reset" [] CX5_15_4;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_15_4;
+        0x0C 0x03 "3dm.poll_filter_data" [] CX5_15_4;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_15_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_15_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_15_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_15_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_15_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_15_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_15_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_15_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0C 0x64 "3dm.device_status" [] CX5_15_4;
+        0x0D 0x01 "filter.reset" [] CX5_15_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CX5_15_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CX5_15_4;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_15_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x17 "filter.external_heading_update" [] CX5_15_4;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_15_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_15_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_15_4;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_15_4;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_15_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_15_1;
+        0x80 0x07 "sensor.delta_theta" [] CX5_15_4;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_15_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_15_4;
+        0x80 0x0A "sensor.comp_quaternion" [] CX5_15_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX5_15_4;
+        0x80 0x10 "sensor.north_vector" [] CX5_15_4;
+        0x80 0x11 "sensor.up_vector" [] CX5_15_4;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_15_1;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_15_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_15_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX5_15_4;
+        0x82 0x05 "filter_data.euler_angles" [] CX5_15_1;
+        0x82 0x06 "filter_data.gyro_bias" [] CX5_15_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_15_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_15_4;
+        0x82 0x0D "filter_data.linear_accel" [] CX5_15_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_15_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_15_4;
+        0x82 0x10 "filter_data.status" [] CX5_15_1;
+        0x82 0x11 "filter_data.timestamp" [] CX5_15_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_15_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CX5_15_4;
+        0x82 0x14 "filter_data.heading_update_state" [] CX5_15_4;
+        0x82 0x1C "filter_data.comp_accel" [] CX5_15_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX5_15_4;
     },
     refuses: supported! {
     },
@@ -2950,12 +3041,17 @@ pub static CX5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
-];
+const CX5_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CX5_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_25_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_25_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CX5-25
 ///
@@ -2984,96 +3080,96 @@ pub static CX5_25: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_25_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CX5_25_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CX5_25_EVIDENCE[1];
-        0x01 0x04 "base.get_device_descriptors" [] CX5_25_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CX5_25_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CX5_25_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_25_EVIDENCE[2];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_25_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CX5_25_EVIDENCE[3];
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_25_EVIDENCE[3];
-        0x0C 0x03 "3dm.poll_filter_data" [] CX5_25_EVIDENCE[3];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_25_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_25_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_25_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_25_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_EVIDENCE[3];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0C 0x64 "3dm.device_status" [] CX5_25_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CX5_25_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CX5_25_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CX5_25_EVIDENCE[3];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] CX5_25_EVIDENCE[3];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_25_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_25_EVIDENCE[3];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_25_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_25_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CX5_25_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_25_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CX5_25_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] CX5_25_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CX5_25_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_25_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] CX5_25_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX5_25_EVIDENCE[3];
-        0x80 0x10 "sensor.north_vector" [] CX5_25_EVIDENCE[3];
-        0x80 0x11 "sensor.up_vector" [] CX5_25_EVIDENCE[3];
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_25_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] CX5_25_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_25_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX5_25_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CX5_25_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] CX5_25_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_25_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_25_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] CX5_25_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_25_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_25_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] CX5_25_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] CX5_25_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_25_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] CX5_25_EVIDENCE[3];
-        0x82 0x14 "filter_data.heading_update_state" [] CX5_25_EVIDENCE[3];
-        0x82 0x15 "filter_data.magnetic_model" [] CX5_25_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CX5_25_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX5_25_EVIDENCE[3];
-        0x82 0x25 "filter_data.mag_offset" [] CX5_25_EVIDENCE[3];
-        0x82 0x26 "filter_data.mag_matrix" [] CX5_25_EVIDENCE[3];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_25_EVIDENCE[3];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_25_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CX5_25_1;
+        0x01 0x02 "base.set_idle" [] CX5_25_1;
+        0x01 0x03 "base.get_device_info" [] CX5_25_2;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_25_3;
+        0x01 0x05 "base.built_in_test" [] CX5_25_4;
+        0x01 0x06 "base.resume" [] CX5_25_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_25_3;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_25_4;
+        0x01 0x7E "base.soft_reset" [] CX5_25_4;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_25_4;
+        0x0C 0x03 "3dm.poll_filter_data" [] CX5_25_4;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_25_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_25_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_25_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_25_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_25_4;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0C 0x64 "3dm.device_status" [] CX5_25_4;
+        0x0D 0x01 "filter.reset" [] CX5_25_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CX5_25_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CX5_25_4;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x17 "filter.external_heading_update" [] CX5_25_4;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_25_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_25_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_25_4;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_25_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_25_4;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_25_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_25_1;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_25_4;
+        0x80 0x07 "sensor.delta_theta" [] CX5_25_4;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_25_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_25_4;
+        0x80 0x0A "sensor.comp_quaternion" [] CX5_25_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX5_25_4;
+        0x80 0x10 "sensor.north_vector" [] CX5_25_4;
+        0x80 0x11 "sensor.up_vector" [] CX5_25_4;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_25_1;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_25_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_25_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX5_25_4;
+        0x82 0x05 "filter_data.euler_angles" [] CX5_25_1;
+        0x82 0x06 "filter_data.gyro_bias" [] CX5_25_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_25_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_25_4;
+        0x82 0x0D "filter_data.linear_accel" [] CX5_25_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_25_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_25_4;
+        0x82 0x10 "filter_data.status" [] CX5_25_1;
+        0x82 0x11 "filter_data.timestamp" [] CX5_25_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_25_4;
+        0x82 0x13 "filter_data.gravity_vector" [] CX5_25_4;
+        0x82 0x14 "filter_data.heading_update_state" [] CX5_25_4;
+        0x82 0x15 "filter_data.magnetic_model" [] CX5_25_4;
+        0x82 0x1C "filter_data.comp_accel" [] CX5_25_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX5_25_4;
+        0x82 0x25 "filter_data.mag_offset" [] CX5_25_4;
+        0x82 0x26 "filter_data.mag_matrix" [] CX5_25_4;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_25_4;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_25_4;
     },
     refuses: supported! {
     },
@@ -3130,10 +3226,11 @@ pub static CX5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_35_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-35." },
-];
+const CX5_35_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_35_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-35." };
 
 /// 3DM-CX5-35
 ///
@@ -3162,63 +3259,63 @@ pub static CX5_35: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_35_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] CX5_35_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] CX5_35_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] CX5_35_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] CX5_35_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] CX5_35_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_35_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_35_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] CX5_35_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_35_EVIDENCE[1];
-        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_35_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_35_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_35_EVIDENCE[1];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CX5_35_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_35_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_35_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_EVIDENCE[1];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] CX5_35_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_35_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] CX5_35_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_35_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CX5_35_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CX5_35_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] CX5_35_EVIDENCE[1];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_35_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CX5_35_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX5_35_EVIDENCE[1];
-        0x80 0x10 "sensor.north_vector" [] CX5_35_EVIDENCE[1];
-        0x80 0x11 "sensor.up_vector" [] CX5_35_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_35_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] CX5_35_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] CX5_35_EVIDENCE[1];
-        0x81 0x04 "gnss_data.ecef_position" [] CX5_35_EVIDENCE[1];
-        0x81 0x05 "gnss_data.ned_velocity" [] CX5_35_EVIDENCE[1];
-        0x81 0x06 "gnss_data.ecef_velocity" [] CX5_35_EVIDENCE[1];
-        0x81 0x07 "gnss_data.dop" [] CX5_35_EVIDENCE[1];
-        0x81 0x08 "gnss_data.utc_time" [] CX5_35_EVIDENCE[1];
-        0x81 0x09 "gnss_data.gps_time" [] CX5_35_EVIDENCE[1];
-        0x81 0x0A "gnss_data.clock_info" [] CX5_35_EVIDENCE[1];
-        0x81 0x0B "gnss_data.fix_info" [] CX5_35_EVIDENCE[1];
-        0x81 0x0C "gnss_data.sv_info" [] CX5_35_EVIDENCE[1];
-        0x81 0x0D "gnss_data.hardware_status" [] CX5_35_EVIDENCE[1];
-        0x81 0x0E "gnss_data.dgps_info" [] CX5_35_EVIDENCE[1];
-        0x81 0x0F "gnss_data.dgps_channel" [] CX5_35_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] CX5_35_1;
+        0x01 0x02 "base.set_idle" [] CX5_35_1;
+        0x01 0x03 "base.get_device_info" [] CX5_35_1;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_35_1;
+        0x01 0x05 "base.built_in_test" [] CX5_35_2;
+        0x01 0x06 "base.resume" [] CX5_35_1;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_35_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_35_2;
+        0x01 0x7E "base.soft_reset" [] CX5_35_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_35_2;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_35_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_35_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_35_2;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_35_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CX5_35_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_35_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_35_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_2;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_35_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x0C 0x64 "3dm.device_status" [] CX5_35_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_35_2;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_35_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_35_1;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_35_2;
+        0x80 0x07 "sensor.delta_theta" [] CX5_35_2;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_35_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_35_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CX5_35_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX5_35_2;
+        0x80 0x10 "sensor.north_vector" [] CX5_35_2;
+        0x80 0x11 "sensor.up_vector" [] CX5_35_2;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_35_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_35_2;
+        0x81 0x03 "gnss_data.llh_position" [] CX5_35_2;
+        0x81 0x04 "gnss_data.ecef_position" [] CX5_35_2;
+        0x81 0x05 "gnss_data.ned_velocity" [] CX5_35_2;
+        0x81 0x06 "gnss_data.ecef_velocity" [] CX5_35_2;
+        0x81 0x07 "gnss_data.dop" [] CX5_35_2;
+        0x81 0x08 "gnss_data.utc_time" [] CX5_35_2;
+        0x81 0x09 "gnss_data.gps_time" [] CX5_35_2;
+        0x81 0x0A "gnss_data.clock_info" [] CX5_35_2;
+        0x81 0x0B "gnss_data.fix_info" [] CX5_35_2;
+        0x81 0x0C "gnss_data.sv_info" [] CX5_35_2;
+        0x81 0x0D "gnss_data.hardware_status" [] CX5_35_2;
+        0x81 0x0E "gnss_data.dgps_info" [] CX5_35_2;
+        0x81 0x0F "gnss_data.dgps_channel" [] CX5_35_2;
     },
     refuses: supported! {
     },
@@ -3250,15 +3347,26 @@ pub static CX5_35: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX5_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (3DM-CX5-45 Data Communications Protocol Manual: Title)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." },
-];
+const CX5_45_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title)." };
+#[rustfmt::skip]
+const CX5_45_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const CX5_45_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_45_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+#[rustfmt::skip]
+const CX5_45_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX5_45_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." };
+#[rustfmt::skip]
+const CX5_45_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CX5-45
 ///
@@ -3289,130 +3397,130 @@ pub static CX5_45: Profile = Profile {
         "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX5_45_EVIDENCE[1];
-        0x01 0x02 "base.set_idle" [] CX5_45_EVIDENCE[1];
-        0x01 0x03 "base.get_device_info" [] CX5_45_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] CX5_45_EVIDENCE[4];
-        0x01 0x05 "base.built_in_test" [] CX5_45_EVIDENCE[5];
-        0x01 0x06 "base.resume" [] CX5_45_EVIDENCE[1];
-        0x01 0x07 "base.get_extended_descriptors" [] CX5_45_EVIDENCE[4];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_45_EVIDENCE[5];
-        0x01 0x7E "base.soft_reset" [] CX5_45_EVIDENCE[5];
-        0x0C 0x01 "3dm.poll_imu_data" [] CX5_45_EVIDENCE[5];
-        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_45_EVIDENCE[5];
-        0x0C 0x03 "3dm.poll_filter_data" [] CX5_45_EVIDENCE[5];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_45_EVIDENCE[1];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_45_EVIDENCE[2];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_45_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CX5_45_EVIDENCE[5];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_EVIDENCE[5];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_EVIDENCE[5];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_45_EVIDENCE[2];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_EVIDENCE[5];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_EVIDENCE[5];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0C 0x64 "3dm.device_status" [] CX5_45_EVIDENCE[5];
-        0x0D 0x01 "filter.reset" [] CX5_45_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] CX5_45_EVIDENCE[5];
-        0x0D 0x03 "filter.set_initial_heading" [] CX5_45_EVIDENCE[5];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x16 "filter.external_gnss_update" [] CX5_45_EVIDENCE[5];
-        0x0D 0x17 "filter.external_heading_update" [] CX5_45_EVIDENCE[5];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_45_EVIDENCE[5];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x22 "filter.commanded_zupt" [] CX5_45_EVIDENCE[5];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_45_EVIDENCE[5];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_45_EVIDENCE[5];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_45_EVIDENCE[5];
-        0x80 0x04 "sensor.scaled_accel" [] CX5_45_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] CX5_45_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] CX5_45_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] CX5_45_EVIDENCE[5];
-        0x80 0x08 "sensor.delta_velocity" [] CX5_45_EVIDENCE[5];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_45_EVIDENCE[5];
-        0x80 0x0A "sensor.comp_quaternion" [] CX5_45_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX5_45_EVIDENCE[5];
-        0x80 0x10 "sensor.north_vector" [] CX5_45_EVIDENCE[5];
-        0x80 0x11 "sensor.up_vector" [] CX5_45_EVIDENCE[5];
-        0x80 0x12 "sensor.gps_timestamp" [] CX5_45_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] CX5_45_EVIDENCE[3];
-        0x81 0x03 "gnss_data.llh_position" [] CX5_45_EVIDENCE[3];
-        0x81 0x04 "gnss_data.ecef_position" [] CX5_45_EVIDENCE[5];
-        0x81 0x05 "gnss_data.ned_velocity" [] CX5_45_EVIDENCE[3];
-        0x81 0x06 "gnss_data.ecef_velocity" [] CX5_45_EVIDENCE[5];
-        0x81 0x07 "gnss_data.dop" [] CX5_45_EVIDENCE[3];
-        0x81 0x08 "gnss_data.utc_time" [] CX5_45_EVIDENCE[5];
-        0x81 0x09 "gnss_data.gps_time" [] CX5_45_EVIDENCE[5];
-        0x81 0x0A "gnss_data.clock_info" [] CX5_45_EVIDENCE[5];
-        0x81 0x0B "gnss_data.fix_info" [] CX5_45_EVIDENCE[1];
-        0x81 0x0C "gnss_data.sv_info" [] CX5_45_EVIDENCE[5];
-        0x81 0x0D "gnss_data.hardware_status" [] CX5_45_EVIDENCE[5];
-        0x81 0x0E "gnss_data.dgps_info" [] CX5_45_EVIDENCE[5];
-        0x81 0x0F "gnss_data.dgps_channel" [] CX5_45_EVIDENCE[5];
-        0x82 0x01 "filter_data.llh_position" [] CX5_45_EVIDENCE[1];
-        0x82 0x02 "filter_data.ned_velocity" [] CX5_45_EVIDENCE[1];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_45_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX5_45_EVIDENCE[5];
-        0x82 0x05 "filter_data.euler_angles" [] CX5_45_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CX5_45_EVIDENCE[6];
-        0x82 0x07 "filter_data.accel_bias" [] CX5_45_EVIDENCE[6];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x0D "filter_data.linear_accel" [] CX5_45_EVIDENCE[6];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_45_EVIDENCE[5];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_45_EVIDENCE[6];
-        0x82 0x10 "filter_data.status" [] CX5_45_EVIDENCE[1];
-        0x82 0x11 "filter_data.timestamp" [] CX5_45_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x13 "filter_data.gravity_vector" [] CX5_45_EVIDENCE[6];
-        0x82 0x14 "filter_data.heading_update_state" [] CX5_45_EVIDENCE[5];
-        0x82 0x15 "filter_data.magnetic_model" [] CX5_45_EVIDENCE[6];
-        0x82 0x1C "filter_data.comp_accel" [] CX5_45_EVIDENCE[6];
-        0x82 0x20 "filter_data.standard_atmosphere" [] CX5_45_EVIDENCE[6];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX5_45_EVIDENCE[6];
-        0x82 0x25 "filter_data.mag_offset" [] CX5_45_EVIDENCE[6];
-        0x82 0x26 "filter_data.mag_matrix" [] CX5_45_EVIDENCE[6];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_45_EVIDENCE[6];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_45_EVIDENCE[6];
+        0x01 0x01 "base.ping" [] CX5_45_2;
+        0x01 0x02 "base.set_idle" [] CX5_45_2;
+        0x01 0x03 "base.get_device_info" [] CX5_45_3;
+        0x01 0x04 "base.get_device_descriptors" [] CX5_45_5;
+        0x01 0x05 "base.built_in_test" [] CX5_45_6;
+        0x01 0x06 "base.resume" [] CX5_45_2;
+        0x01 0x07 "base.get_extended_descriptors" [] CX5_45_5;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX5_45_6;
+        0x01 0x7E "base.soft_reset" [] CX5_45_6;
+        0x0C 0x01 "3dm.poll_imu_data" [] CX5_45_6;
+        0x0C 0x02 "3dm.poll_gnss_data" [] CX5_45_6;
+        0x0C 0x03 "3dm.poll_filter_data" [] CX5_45_6;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] CX5_45_2;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] CX5_45_3;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] CX5_45_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] CX5_45_6;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX5_45_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_6;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_6;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX5_45_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX5_45_6;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0C 0x64 "3dm.device_status" [] CX5_45_6;
+        0x0D 0x01 "filter.reset" [] CX5_45_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] CX5_45_6;
+        0x0D 0x03 "filter.set_initial_heading" [] CX5_45_6;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x16 "filter.external_gnss_update" [] CX5_45_6;
+        0x0D 0x17 "filter.external_heading_update" [] CX5_45_6;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] CX5_45_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX5_45_6;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x22 "filter.commanded_zupt" [] CX5_45_6;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] CX5_45_6;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] CX5_45_6;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] CX5_45_6;
+        0x80 0x04 "sensor.scaled_accel" [] CX5_45_1;
+        0x80 0x05 "sensor.scaled_gyro" [] CX5_45_1;
+        0x80 0x06 "sensor.scaled_mag" [] CX5_45_1;
+        0x80 0x07 "sensor.delta_theta" [] CX5_45_6;
+        0x80 0x08 "sensor.delta_velocity" [] CX5_45_6;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX5_45_6;
+        0x80 0x0A "sensor.comp_quaternion" [] CX5_45_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX5_45_6;
+        0x80 0x10 "sensor.north_vector" [] CX5_45_6;
+        0x80 0x11 "sensor.up_vector" [] CX5_45_6;
+        0x80 0x12 "sensor.gps_timestamp" [] CX5_45_2;
+        0x80 0x17 "sensor.scaled_pressure" [] CX5_45_4;
+        0x81 0x03 "gnss_data.llh_position" [] CX5_45_4;
+        0x81 0x04 "gnss_data.ecef_position" [] CX5_45_6;
+        0x81 0x05 "gnss_data.ned_velocity" [] CX5_45_4;
+        0x81 0x06 "gnss_data.ecef_velocity" [] CX5_45_6;
+        0x81 0x07 "gnss_data.dop" [] CX5_45_4;
+        0x81 0x08 "gnss_data.utc_time" [] CX5_45_6;
+        0x81 0x09 "gnss_data.gps_time" [] CX5_45_6;
+        0x81 0x0A "gnss_data.clock_info" [] CX5_45_6;
+        0x81 0x0B "gnss_data.fix_info" [] CX5_45_2;
+        0x81 0x0C "gnss_data.sv_info" [] CX5_45_6;
+        0x81 0x0D "gnss_data.hardware_status" [] CX5_45_6;
+        0x81 0x0E "gnss_data.dgps_info" [] CX5_45_6;
+        0x81 0x0F "gnss_data.dgps_channel" [] CX5_45_6;
+        0x82 0x01 "filter_data.llh_position" [] CX5_45_2;
+        0x82 0x02 "filter_data.ned_velocity" [] CX5_45_2;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX5_45_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX5_45_6;
+        0x82 0x05 "filter_data.euler_angles" [] CX5_45_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CX5_45_7;
+        0x82 0x07 "filter_data.accel_bias" [] CX5_45_7;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX5_45_7;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX5_45_7;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX5_45_7;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX5_45_7;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX5_45_7;
+        0x82 0x0D "filter_data.linear_accel" [] CX5_45_7;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX5_45_6;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] CX5_45_7;
+        0x82 0x10 "filter_data.status" [] CX5_45_2;
+        0x82 0x11 "filter_data.timestamp" [] CX5_45_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX5_45_7;
+        0x82 0x13 "filter_data.gravity_vector" [] CX5_45_7;
+        0x82 0x14 "filter_data.heading_update_state" [] CX5_45_6;
+        0x82 0x15 "filter_data.magnetic_model" [] CX5_45_7;
+        0x82 0x1C "filter_data.comp_accel" [] CX5_45_7;
+        0x82 0x20 "filter_data.standard_atmosphere" [] CX5_45_7;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX5_45_7;
+        0x82 0x25 "filter_data.mag_offset" [] CX5_45_7;
+        0x82 0x26 "filter_data.mag_matrix" [] CX5_45_7;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] CX5_45_7;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] CX5_45_7;
     },
     refuses: supported! {
     },
@@ -3459,12 +3567,17 @@ pub static CX5_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_AHRS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const CX7_AHRS_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const CX7_AHRS_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CX7_AHRS_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX7_AHRS_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-AHRS
 ///
@@ -3518,93 +3631,93 @@ pub static CX7_AHRS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x02 "base.set_idle" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x03 "base.get_device_info" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CX7_AHRS_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_AHRS_EVIDENCE[2];
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_AHRS_EVIDENCE[3];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AHRS_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x0D "3dm.poll_data" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_AHRS_EVIDENCE[2];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[2];
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[0];
-        0x0C 0x2A "3dm.get_event_support" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[2];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[0];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AHRS_EVIDENCE[3];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[0];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[0];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_EVIDENCE[3];
-        0x13 0x31 "aiding.true_heading" [] CX7_AHRS_EVIDENCE[3];
-        0x13 0x32 "aiding.magnetic_field" [] CX7_AHRS_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CX7_AHRS_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CX7_AHRS_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_AHRS_EVIDENCE[3];
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_AHRS_EVIDENCE[1];
-        0x80 0x18 "sensor.overrange_status" [] CX7_AHRS_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AHRS_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x1C "filter_data.comp_accel" [] CX7_AHRS_EVIDENCE[1];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AHRS_EVIDENCE[1];
-        0xA0 0x01 "system_data.built_in_test" [] CX7_AHRS_EVIDENCE[3];
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_AHRS_EVIDENCE[1];
-        0xA0 0x03 "system_data.gpio_state" [] CX7_AHRS_EVIDENCE[1];
-        0xFF 0xD0 "shared.event_source" [] CX7_AHRS_EVIDENCE[3];
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AHRS_EVIDENCE[1];
-        0xFF 0xD4 "shared.delta_time" [] CX7_AHRS_EVIDENCE[3];
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AHRS_EVIDENCE[1];
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AHRS_EVIDENCE[3];
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_AHRS_EVIDENCE[1];
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_AHRS_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CX7_AHRS_3;
+        0x01 0x02 "base.set_idle" [] CX7_AHRS_3;
+        0x01 0x03 "base.get_device_info" [] CX7_AHRS_3;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_AHRS_3;
+        0x01 0x05 "base.built_in_test" [] CX7_AHRS_4;
+        0x01 0x06 "base.resume" [] CX7_AHRS_3;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_AHRS_3;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_AHRS_4;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AHRS_4;
+        0x01 0x7E "base.soft_reset" [] CX7_AHRS_4;
+        0x0C 0x0D "3dm.poll_data" [] CX7_AHRS_4;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_AHRS_3;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_AHRS_4;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_AHRS_4;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AHRS_4;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AHRS_4;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AHRS_3;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AHRS_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AHRS_4;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AHRS_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AHRS_4;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x01 "filter.reset" [] CX7_AHRS_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_AHRS_4;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_1;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AHRS_4;
+        0x13 0x31 "aiding.true_heading" [] CX7_AHRS_4;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_AHRS_4;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_AHRS_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_AHRS_2;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_AHRS_2;
+        0x80 0x07 "sensor.delta_theta" [] CX7_AHRS_4;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_AHRS_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AHRS_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_AHRS_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AHRS_2;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_AHRS_4;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_AHRS_2;
+        0x80 0x18 "sensor.overrange_status" [] CX7_AHRS_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AHRS_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AHRS_4;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_AHRS_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_AHRS_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AHRS_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AHRS_2;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_AHRS_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AHRS_2;
+        0x82 0x10 "filter_data.status" [] CX7_AHRS_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AHRS_2;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_AHRS_2;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_AHRS_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AHRS_2;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_AHRS_4;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_AHRS_2;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_AHRS_2;
+        0xFF 0xD0 "shared.event_source" [] CX7_AHRS_4;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AHRS_2;
+        0xFF 0xD4 "shared.delta_time" [] CX7_AHRS_4;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AHRS_2;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AHRS_4;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_AHRS_2;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_AHRS_4;
     },
     refuses: supported! {
     },
@@ -3645,7 +3758,7 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -3660,7 +3773,7 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -3703,12 +3816,17 @@ pub static CX7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_AR_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const CX7_AR_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const CX7_AR_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CX7_AR_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX7_AR_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-AR
 ///
@@ -3762,93 +3880,93 @@ pub static CX7_AR: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_AR_EVIDENCE[2];
-        0x01 0x02 "base.set_idle" [] CX7_AR_EVIDENCE[2];
-        0x01 0x03 "base.get_device_info" [] CX7_AR_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] CX7_AR_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CX7_AR_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CX7_AR_EVIDENCE[2];
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_AR_EVIDENCE[2];
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_AR_EVIDENCE[3];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AR_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x0D "3dm.poll_data" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_AR_EVIDENCE[2];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[2];
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[0];
-        0x0C 0x2A "3dm.get_event_support" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[2];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_EVIDENCE[3];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[0];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AR_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AR_EVIDENCE[3];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CX7_AR_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_AR_EVIDENCE[3];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[0];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[0];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_EVIDENCE[3];
-        0x13 0x31 "aiding.true_heading" [] CX7_AR_EVIDENCE[3];
-        0x13 0x32 "aiding.magnetic_field" [] CX7_AR_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CX7_AR_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_AR_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] CX7_AR_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CX7_AR_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CX7_AR_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AR_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_AR_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AR_EVIDENCE[1];
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_AR_EVIDENCE[3];
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_AR_EVIDENCE[1];
-        0x80 0x18 "sensor.overrange_status" [] CX7_AR_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AR_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AR_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CX7_AR_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_AR_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AR_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AR_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] CX7_AR_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AR_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] CX7_AR_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AR_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_AR_EVIDENCE[1];
-        0x82 0x1C "filter_data.comp_accel" [] CX7_AR_EVIDENCE[1];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AR_EVIDENCE[1];
-        0xA0 0x01 "system_data.built_in_test" [] CX7_AR_EVIDENCE[3];
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_AR_EVIDENCE[1];
-        0xA0 0x03 "system_data.gpio_state" [] CX7_AR_EVIDENCE[1];
-        0xFF 0xD0 "shared.event_source" [] CX7_AR_EVIDENCE[3];
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AR_EVIDENCE[1];
-        0xFF 0xD4 "shared.delta_time" [] CX7_AR_EVIDENCE[3];
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AR_EVIDENCE[1];
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AR_EVIDENCE[3];
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_AR_EVIDENCE[1];
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_AR_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CX7_AR_3;
+        0x01 0x02 "base.set_idle" [] CX7_AR_3;
+        0x01 0x03 "base.get_device_info" [] CX7_AR_3;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_AR_3;
+        0x01 0x05 "base.built_in_test" [] CX7_AR_4;
+        0x01 0x06 "base.resume" [] CX7_AR_3;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_AR_3;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_AR_4;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_AR_4;
+        0x01 0x7E "base.soft_reset" [] CX7_AR_4;
+        0x0C 0x0D "3dm.poll_data" [] CX7_AR_4;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_AR_3;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_AR_4;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_AR_4;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_AR_4;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_AR_4;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_AR_3;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_AR_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_AR_4;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_AR_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_AR_4;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x01 "filter.reset" [] CX7_AR_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_AR_4;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_1;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_AR_4;
+        0x13 0x31 "aiding.true_heading" [] CX7_AR_4;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_AR_4;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_AR_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_AR_2;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_AR_2;
+        0x80 0x07 "sensor.delta_theta" [] CX7_AR_4;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_AR_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_AR_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_AR_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_AR_2;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_AR_4;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_AR_2;
+        0x80 0x18 "sensor.overrange_status" [] CX7_AR_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_AR_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_AR_4;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_AR_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_AR_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_AR_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_AR_2;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_AR_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_AR_2;
+        0x82 0x10 "filter_data.status" [] CX7_AR_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_AR_2;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_AR_2;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_AR_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_AR_2;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_AR_4;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_AR_2;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_AR_2;
+        0xFF 0xD0 "shared.event_source" [] CX7_AR_4;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_AR_2;
+        0xFF 0xD4 "shared.delta_time" [] CX7_AR_4;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_AR_2;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_AR_4;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_AR_2;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_AR_4;
     },
     refuses: supported! {
     },
@@ -3889,7 +4007,7 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -3904,7 +4022,7 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -3947,12 +4065,17 @@ pub static CX7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const CX7_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const CX7_INS_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const CX7_INS_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const CX7_INS_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const CX7_INS_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-INS
 ///
@@ -4007,132 +4130,132 @@ pub static CX7_INS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] CX7_INS_EVIDENCE[2];
-        0x01 0x02 "base.set_idle" [] CX7_INS_EVIDENCE[2];
-        0x01 0x03 "base.get_device_info" [] CX7_INS_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] CX7_INS_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] CX7_INS_EVIDENCE[3];
-        0x01 0x06 "base.resume" [] CX7_INS_EVIDENCE[2];
-        0x01 0x07 "base.get_extended_descriptors" [] CX7_INS_EVIDENCE[2];
-        0x01 0x08 "base.continuous_built_in_test" [] CX7_INS_EVIDENCE[3];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_INS_EVIDENCE[3];
-        0x01 0x7E "base.soft_reset" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x04 "3dm.poll_nmea_data" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x0D "3dm.poll_data" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x0E "3dm.get_base_rate" [] CX7_INS_EVIDENCE[2];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[2];
-        0x0C 0x10 "3dm.factory_streaming" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[0];
-        0x0C 0x2A "3dm.get_event_support" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x2D "3dm.get_event_action_status" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[2];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_EVIDENCE[3];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[0];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_INS_EVIDENCE[3];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_INS_EVIDENCE[3];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] CX7_INS_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] CX7_INS_EVIDENCE[3];
-        0x0D 0x05 "filter.run" [] CX7_INS_EVIDENCE[3];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] CX7_INS_EVIDENCE[3];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] CX7_INS_EVIDENCE[3];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[0];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[0];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[0];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_EVIDENCE[3];
-        0x13 0x21 "aiding.ecef_position" [] CX7_INS_EVIDENCE[3];
-        0x13 0x22 "aiding.llh_position" [] CX7_INS_EVIDENCE[3];
-        0x13 0x23 "aiding.height_above_ellipsoid" [] CX7_INS_EVIDENCE[3];
-        0x13 0x28 "aiding.ecef_velocity" [] CX7_INS_EVIDENCE[3];
-        0x13 0x29 "aiding.ned_velocity" [] CX7_INS_EVIDENCE[3];
-        0x13 0x2A "aiding.body_frame_velocity" [] CX7_INS_EVIDENCE[3];
-        0x13 0x31 "aiding.true_heading" [] CX7_INS_EVIDENCE[3];
-        0x13 0x32 "aiding.magnetic_field" [] CX7_INS_EVIDENCE[3];
-        0x13 0x33 "aiding.pressure" [] CX7_INS_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] CX7_INS_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] CX7_INS_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] CX7_INS_EVIDENCE[1];
-        0x80 0x07 "sensor.delta_theta" [] CX7_INS_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] CX7_INS_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_INS_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] CX7_INS_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] CX7_INS_EVIDENCE[1];
-        0x80 0x14 "sensor.temperature_statistics" [] CX7_INS_EVIDENCE[3];
-        0x80 0x17 "sensor.scaled_pressure" [] CX7_INS_EVIDENCE[1];
-        0x80 0x18 "sensor.overrange_status" [] CX7_INS_EVIDENCE[3];
-        0x82 0x01 "filter_data.llh_position" [] CX7_INS_EVIDENCE[3];
-        0x82 0x02 "filter_data.ned_velocity" [] CX7_INS_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_INS_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] CX7_INS_EVIDENCE[3];
-        0x82 0x05 "filter_data.euler_angles" [] CX7_INS_EVIDENCE[1];
-        0x82 0x06 "filter_data.gyro_bias" [] CX7_INS_EVIDENCE[1];
-        0x82 0x07 "filter_data.accel_bias" [] CX7_INS_EVIDENCE[1];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX7_INS_EVIDENCE[3];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX7_INS_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_INS_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_INS_EVIDENCE[1];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX7_INS_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] CX7_INS_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_INS_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] CX7_INS_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_INS_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] CX7_INS_EVIDENCE[1];
-        0x82 0x15 "filter_data.magnetic_model" [] CX7_INS_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] CX7_INS_EVIDENCE[1];
-        0x82 0x21 "filter_data.pressure_altitude" [] CX7_INS_EVIDENCE[1];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CX7_INS_EVIDENCE[3];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CX7_INS_EVIDENCE[3];
-        0x82 0x40 "filter_data.ecef_position" [] CX7_INS_EVIDENCE[3];
-        0x82 0x41 "filter_data.ecef_velocity" [] CX7_INS_EVIDENCE[3];
-        0x82 0x42 "filter_data.ned_relative_position" [] CX7_INS_EVIDENCE[3];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CX7_INS_EVIDENCE[3];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] CX7_INS_EVIDENCE[3];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] CX7_INS_EVIDENCE[3];
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CX7_INS_EVIDENCE[3];
-        0x94 0x03 "gnss_external.llh_position" [] CX7_INS_EVIDENCE[3];
-        0x94 0x05 "gnss_external.ned_velocity" [] CX7_INS_EVIDENCE[3];
-        0x94 0x08 "gnss_external.utc_time" [] CX7_INS_EVIDENCE[3];
-        0x94 0x0B "gnss_external.fix_info" [] CX7_INS_EVIDENCE[3];
-        0x94 0x20 "gnss_external.satellite_status" [] CX7_INS_EVIDENCE[3];
-        0xA0 0x01 "system_data.built_in_test" [] CX7_INS_EVIDENCE[3];
-        0xA0 0x02 "system_data.time_sync_status" [] CX7_INS_EVIDENCE[1];
-        0xA0 0x03 "system_data.gpio_state" [] CX7_INS_EVIDENCE[1];
-        0xFF 0xD0 "shared.event_source" [] CX7_INS_EVIDENCE[3];
-        0xFF 0xD3 "shared.gps_timestamp" [] CX7_INS_EVIDENCE[1];
-        0xFF 0xD4 "shared.delta_time" [] CX7_INS_EVIDENCE[3];
-        0xFF 0xD5 "shared.reference_timestamp" [] CX7_INS_EVIDENCE[1];
-        0xFF 0xD6 "shared.reference_time_delta" [] CX7_INS_EVIDENCE[3];
-        0xFF 0xD7 "shared.external_timestamp" [] CX7_INS_EVIDENCE[1];
-        0xFF 0xD8 "shared.external_time_delta" [] CX7_INS_EVIDENCE[3];
+        0x01 0x01 "base.ping" [] CX7_INS_3;
+        0x01 0x02 "base.set_idle" [] CX7_INS_3;
+        0x01 0x03 "base.get_device_info" [] CX7_INS_3;
+        0x01 0x04 "base.get_device_descriptors" [] CX7_INS_3;
+        0x01 0x05 "base.built_in_test" [] CX7_INS_4;
+        0x01 0x06 "base.resume" [] CX7_INS_3;
+        0x01 0x07 "base.get_extended_descriptors" [] CX7_INS_3;
+        0x01 0x08 "base.continuous_built_in_test" [] CX7_INS_4;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] CX7_INS_4;
+        0x01 0x7E "base.soft_reset" [] CX7_INS_4;
+        0x0C 0x04 "3dm.poll_nmea_data" [] CX7_INS_4;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x0D "3dm.poll_data" [] CX7_INS_4;
+        0x0C 0x0E "3dm.get_base_rate" [] CX7_INS_3;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x10 "3dm.factory_streaming" [] CX7_INS_4;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
+        0x0C 0x2A "3dm.get_event_support" [] CX7_INS_4;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] CX7_INS_4;
+        0x0C 0x2D "3dm.get_event_action_status" [] CX7_INS_4;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] CX7_INS_3;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] CX7_INS_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] CX7_INS_4;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] CX7_INS_4;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] CX7_INS_4;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x01 "filter.reset" [] CX7_INS_4;
+        0x0D 0x03 "filter.set_initial_heading" [] CX7_INS_4;
+        0x0D 0x05 "filter.run" [] CX7_INS_4;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x17 "filter.external_heading_update" [] CX7_INS_4;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] CX7_INS_4;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_1;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] CX7_INS_4;
+        0x13 0x21 "aiding.ecef_position" [] CX7_INS_4;
+        0x13 0x22 "aiding.llh_position" [] CX7_INS_4;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] CX7_INS_4;
+        0x13 0x28 "aiding.ecef_velocity" [] CX7_INS_4;
+        0x13 0x29 "aiding.ned_velocity" [] CX7_INS_4;
+        0x13 0x2A "aiding.body_frame_velocity" [] CX7_INS_4;
+        0x13 0x31 "aiding.true_heading" [] CX7_INS_4;
+        0x13 0x32 "aiding.magnetic_field" [] CX7_INS_4;
+        0x13 0x33 "aiding.pressure" [] CX7_INS_4;
+        0x80 0x04 "sensor.scaled_accel" [] CX7_INS_2;
+        0x80 0x05 "sensor.scaled_gyro" [] CX7_INS_2;
+        0x80 0x06 "sensor.scaled_mag" [] CX7_INS_2;
+        0x80 0x07 "sensor.delta_theta" [] CX7_INS_4;
+        0x80 0x08 "sensor.delta_velocity" [] CX7_INS_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] CX7_INS_2;
+        0x80 0x0A "sensor.comp_quaternion" [] CX7_INS_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] CX7_INS_2;
+        0x80 0x14 "sensor.temperature_statistics" [] CX7_INS_4;
+        0x80 0x17 "sensor.scaled_pressure" [] CX7_INS_2;
+        0x80 0x18 "sensor.overrange_status" [] CX7_INS_4;
+        0x82 0x01 "filter_data.llh_position" [] CX7_INS_4;
+        0x82 0x02 "filter_data.ned_velocity" [] CX7_INS_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] CX7_INS_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] CX7_INS_4;
+        0x82 0x05 "filter_data.euler_angles" [] CX7_INS_2;
+        0x82 0x06 "filter_data.gyro_bias" [] CX7_INS_2;
+        0x82 0x07 "filter_data.accel_bias" [] CX7_INS_2;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] CX7_INS_4;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] CX7_INS_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] CX7_INS_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] CX7_INS_2;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] CX7_INS_2;
+        0x82 0x0D "filter_data.linear_accel" [] CX7_INS_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] CX7_INS_2;
+        0x82 0x10 "filter_data.status" [] CX7_INS_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] CX7_INS_2;
+        0x82 0x13 "filter_data.gravity_vector" [] CX7_INS_2;
+        0x82 0x15 "filter_data.magnetic_model" [] CX7_INS_4;
+        0x82 0x1C "filter_data.comp_accel" [] CX7_INS_2;
+        0x82 0x21 "filter_data.pressure_altitude" [] CX7_INS_2;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] CX7_INS_4;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] CX7_INS_4;
+        0x82 0x40 "filter_data.ecef_position" [] CX7_INS_4;
+        0x82 0x41 "filter_data.ecef_velocity" [] CX7_INS_4;
+        0x82 0x42 "filter_data.ned_relative_position" [] CX7_INS_4;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] CX7_INS_4;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] CX7_INS_4;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] CX7_INS_4;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] CX7_INS_4;
+        0x94 0x03 "gnss_external.llh_position" [] CX7_INS_4;
+        0x94 0x05 "gnss_external.ned_velocity" [] CX7_INS_4;
+        0x94 0x08 "gnss_external.utc_time" [] CX7_INS_4;
+        0x94 0x0B "gnss_external.fix_info" [] CX7_INS_4;
+        0x94 0x20 "gnss_external.satellite_status" [] CX7_INS_4;
+        0xA0 0x01 "system_data.built_in_test" [] CX7_INS_4;
+        0xA0 0x02 "system_data.time_sync_status" [] CX7_INS_2;
+        0xA0 0x03 "system_data.gpio_state" [] CX7_INS_2;
+        0xFF 0xD0 "shared.event_source" [] CX7_INS_4;
+        0xFF 0xD3 "shared.gps_timestamp" [] CX7_INS_2;
+        0xFF 0xD4 "shared.delta_time" [] CX7_INS_4;
+        0xFF 0xD5 "shared.reference_timestamp" [] CX7_INS_2;
+        0xFF 0xD6 "shared.reference_time_delta" [] CX7_INS_4;
+        0xFF 0xD7 "shared.external_timestamp" [] CX7_INS_2;
+        0xFF 0xD8 "shared.external_time_delta" [] CX7_INS_4;
     },
     refuses: supported! {
     },
@@ -4187,7 +4310,7 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -4202,7 +4325,7 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -4245,9 +4368,8 @@ pub static CX7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const DH3_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-];
+const DH3_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-DH3
 ///
@@ -4270,12 +4392,12 @@ pub static DH3: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] DH3_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] DH3_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] DH3_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] DH3_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] DH3_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] DH3_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] DH3_1;
+        0x01 0x02 "base.set_idle" [] DH3_1;
+        0x01 0x03 "base.get_device_info" [] DH3_1;
+        0x01 0x04 "base.get_device_descriptors" [] DH3_1;
+        0x01 0x06 "base.resume" [] DH3_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] DH3_1;
     },
     refuses: supported! {
     },
@@ -4302,10 +4424,11 @@ pub static DH3: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GQ4_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45." },
-];
+const GQ4_45_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const GQ4_45_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45." };
 
 /// 3DM-GQ4-45
 ///
@@ -4343,76 +4466,76 @@ pub static GQ4_45: Profile = Profile {
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GQ4_45_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GQ4_45_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GQ4_45_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GQ4_45_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GQ4_45_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GQ4_45_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GQ4_45_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GQ4_45_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GQ4_45_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x02 "filter.set_initial_attitude" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x03 "filter.set_initial_heading" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x16 "filter.external_gnss_update" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x22 "filter.commanded_zupt" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GQ4_45_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] GQ4_45_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] GQ4_45_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] GQ4_45_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] GQ4_45_EVIDENCE[1];
-        0x81 0x05 "gnss_data.ned_velocity" [] GQ4_45_EVIDENCE[1];
-        0x81 0x09 "gnss_data.gps_time" [] GQ4_45_EVIDENCE[1];
-        0x82 0x01 "filter_data.llh_position" [] GQ4_45_EVIDENCE[1];
-        0x82 0x02 "filter_data.ned_velocity" [] GQ4_45_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] GQ4_45_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] GQ4_45_1;
+        0x01 0x02 "base.set_idle" [] GQ4_45_1;
+        0x01 0x03 "base.get_device_info" [] GQ4_45_1;
+        0x01 0x04 "base.get_device_descriptors" [] GQ4_45_1;
+        0x01 0x05 "base.built_in_test" [] GQ4_45_1;
+        0x01 0x06 "base.resume" [] GQ4_45_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GQ4_45_1;
+        0x01 0x7E "base.soft_reset" [] GQ4_45_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] GQ4_45_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GQ4_45_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GQ4_45_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GQ4_45_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GQ4_45_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GQ4_45_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GQ4_45_1;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GQ4_45_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ4_45_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_1;
+        0x0C 0x64 "3dm.device_status" [] GQ4_45_1;
+        0x0D 0x01 "filter.reset" [] GQ4_45_2;
+        0x0D 0x02 "filter.set_initial_attitude" [] GQ4_45_2;
+        0x0D 0x03 "filter.set_initial_heading" [] GQ4_45_2;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x16 "filter.external_gnss_update" [] GQ4_45_2;
+        0x0D 0x17 "filter.external_heading_update" [] GQ4_45_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GQ4_45_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x22 "filter.commanded_zupt" [] GQ4_45_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GQ4_45_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GQ4_45_2;
+        0x80 0x04 "sensor.scaled_accel" [] GQ4_45_2;
+        0x80 0x05 "sensor.scaled_gyro" [] GQ4_45_2;
+        0x80 0x06 "sensor.scaled_mag" [] GQ4_45_2;
+        0x81 0x03 "gnss_data.llh_position" [] GQ4_45_2;
+        0x81 0x05 "gnss_data.ned_velocity" [] GQ4_45_2;
+        0x81 0x09 "gnss_data.gps_time" [] GQ4_45_2;
+        0x82 0x01 "filter_data.llh_position" [] GQ4_45_2;
+        0x82 0x02 "filter_data.ned_velocity" [] GQ4_45_2;
+        0x82 0x05 "filter_data.euler_angles" [] GQ4_45_2;
     },
     refuses: supported! {
     },
@@ -4464,16 +4587,29 @@ pub static GQ4_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GQ7_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." },
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const GQ7_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." };
+#[rustfmt::skip]
+const GQ7_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." };
+#[rustfmt::skip]
+const GQ7_3: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const GQ7_4: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." };
+#[rustfmt::skip]
+const GQ7_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const GQ7_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const GQ7_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+#[rustfmt::skip]
+const GQ7_8: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GQ7-GNSS/INS
 ///
@@ -4553,173 +4689,173 @@ pub static GQ7: Profile = Profile {
         "The baud rates of the Aux port are not known, nor all of its protocols.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GQ7_EVIDENCE[4];
-        0x01 0x02 "base.set_idle" [] GQ7_EVIDENCE[4];
-        0x01 0x03 "base.get_device_info" [] GQ7_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GQ7_EVIDENCE[1];
-        0x01 0x05 "base.built_in_test" [] GQ7_EVIDENCE[7];
-        0x01 0x06 "base.resume" [] GQ7_EVIDENCE[4];
-        0x01 0x07 "base.get_extended_descriptors" [] GQ7_EVIDENCE[1];
-        0x01 0x08 "base.continuous_built_in_test" [] GQ7_EVIDENCE[7];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[1];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GQ7_EVIDENCE[7];
-        0x01 0x7E "base.soft_reset" [] GQ7_EVIDENCE[7];
-        0x0C 0x04 "3dm.poll_nmea_data" [] GQ7_EVIDENCE[2];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0C 0x0D "3dm.poll_data" [] GQ7_EVIDENCE[7];
-        0x0C 0x0E "3dm.get_base_rate" [] GQ7_EVIDENCE[1];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[4];
-        0x0C 0x10 "3dm.factory_streaming" [] GQ7_EVIDENCE[5];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0C 0x2A "3dm.get_event_support" [] GQ7_EVIDENCE[7];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GQ7_EVIDENCE[7];
-        0x0C 0x2D "3dm.get_event_action_status" [] GQ7_EVIDENCE[7];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GQ7_EVIDENCE[4];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_EVIDENCE[7];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_EVIDENCE[7];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GQ7_EVIDENCE[2];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_EVIDENCE[7];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_EVIDENCE[7];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GQ7_EVIDENCE[0];
-        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GQ7_EVIDENCE[7];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[1];
-        0x0D 0x01 "filter.reset" [] GQ7_EVIDENCE[4];
-        0x0D 0x03 "filter.set_initial_heading" [] GQ7_EVIDENCE[7];
-        0x0D 0x05 "filter.run" [] GQ7_EVIDENCE[2];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0D 0x17 "filter.external_heading_update" [] GQ7_EVIDENCE[7];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GQ7_EVIDENCE[7];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[4];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[4];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[4];
-        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[2];
-        0x0E 0x01 "gnss.receiver_info" [] GQ7_EVIDENCE[7];
-        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x0E 0x10 "gnss.rtk_dongle_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[5];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_EVIDENCE[7];
-        0x13 0x31 "aiding.true_heading" [] GQ7_EVIDENCE[7];
-        0x80 0x04 "sensor.scaled_accel" [] GQ7_EVIDENCE[3];
-        0x80 0x05 "sensor.scaled_gyro" [] GQ7_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] GQ7_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] GQ7_EVIDENCE[3];
-        0x80 0x08 "sensor.delta_velocity" [] GQ7_EVIDENCE[3];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GQ7_EVIDENCE[7];
-        0x80 0x0A "sensor.comp_quaternion" [] GQ7_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] GQ7_EVIDENCE[7];
-        0x80 0x12 "sensor.gps_timestamp" [] GQ7_EVIDENCE[3];
-        0x80 0x14 "sensor.temperature_statistics" [] GQ7_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] GQ7_EVIDENCE[3];
-        0x80 0x18 "sensor.overrange_status" [] GQ7_EVIDENCE[3];
-        0x80 0x40 "sensor.odometer" [] GQ7_EVIDENCE[3];
-        0x82 0x01 "filter_data.llh_position" [] GQ7_EVIDENCE[3];
-        0x82 0x02 "filter_data.ned_velocity" [] GQ7_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GQ7_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] GQ7_EVIDENCE[7];
-        0x82 0x05 "filter_data.euler_angles" [] GQ7_EVIDENCE[3];
-        0x82 0x06 "filter_data.gyro_bias" [] GQ7_EVIDENCE[7];
-        0x82 0x07 "filter_data.accel_bias" [] GQ7_EVIDENCE[7];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GQ7_EVIDENCE[3];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GQ7_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GQ7_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GQ7_EVIDENCE[7];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GQ7_EVIDENCE[7];
-        0x82 0x0D "filter_data.linear_accel" [] GQ7_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GQ7_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] GQ7_EVIDENCE[3];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GQ7_EVIDENCE[7];
-        0x82 0x13 "filter_data.gravity_vector" [] GQ7_EVIDENCE[7];
-        0x82 0x15 "filter_data.magnetic_model" [] GQ7_EVIDENCE[7];
-        0x82 0x1C "filter_data.comp_accel" [] GQ7_EVIDENCE[3];
-        0x82 0x21 "filter_data.pressure_altitude" [] GQ7_EVIDENCE[7];
-        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GQ7_EVIDENCE[3];
-        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GQ7_EVIDENCE[7];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GQ7_EVIDENCE[3];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GQ7_EVIDENCE[3];
-        0x82 0x40 "filter_data.ecef_position" [] GQ7_EVIDENCE[3];
-        0x82 0x41 "filter_data.ecef_velocity" [] GQ7_EVIDENCE[3];
-        0x82 0x42 "filter_data.ned_relative_position" [] GQ7_EVIDENCE[3];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GQ7_EVIDENCE[3];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] GQ7_EVIDENCE[3];
-        0x82 0x47 "filter_data.odometer_scale_factor_error" [] GQ7_EVIDENCE[7];
-        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [] GQ7_EVIDENCE[7];
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GQ7_EVIDENCE[3];
-        0x91 0x03 "gnss_1.llh_position" [] GQ7_EVIDENCE[2];
-        0x91 0x04 "gnss_1.ecef_position" [] GQ7_EVIDENCE[3];
-        0x91 0x05 "gnss_1.ned_velocity" [] GQ7_EVIDENCE[3];
-        0x91 0x06 "gnss_1.ecef_velocity" [] GQ7_EVIDENCE[3];
-        0x91 0x07 "gnss_1.dop" [] GQ7_EVIDENCE[6];
-        0x91 0x08 "gnss_1.utc_time" [] GQ7_EVIDENCE[7];
-        0x91 0x09 "gnss_1.gps_time" [] GQ7_EVIDENCE[7];
-        0x91 0x0B "gnss_1.fix_info" [] GQ7_EVIDENCE[2];
-        0x91 0x0D "gnss_1.hardware_status" [] GQ7_EVIDENCE[7];
-        0x91 0x10 "gnss_1.clock_info_2" [] GQ7_EVIDENCE[7];
-        0x91 0x11 "gnss_1.gps_leap_seconds" [] GQ7_EVIDENCE[6];
-        0x91 0x12 "gnss_1.sbas_info" [] GQ7_EVIDENCE[3];
-        0x91 0x14 "gnss_1.rf_error_detection" [] GQ7_EVIDENCE[3];
-        0x91 0x20 "gnss_1.satellite_status" [] GQ7_EVIDENCE[7];
-        0x91 0x22 "gnss_1.raw" [] GQ7_EVIDENCE[7];
-        0x91 0x61 "gnss_1.gps_ephemeris" [] GQ7_EVIDENCE[7];
-        0x91 0x62 "gnss_1.glonass_ephemeris" [] GQ7_EVIDENCE[7];
-        0x91 0x63 "gnss_1.galileo_ephemeris" [] GQ7_EVIDENCE[7];
-        0x91 0x64 "gnss_1.beidou_ephemeris" [] GQ7_EVIDENCE[7];
-        0x92 0x03 "gnss_2.llh_position" [] GQ7_EVIDENCE[3];
-        0x92 0x04 "gnss_2.ecef_position" [] GQ7_EVIDENCE[3];
-        0x92 0x05 "gnss_2.ned_velocity" [] GQ7_EVIDENCE[3];
-        0x92 0x06 "gnss_2.ecef_velocity" [] GQ7_EVIDENCE[3];
-        0x92 0x07 "gnss_2.dop" [] GQ7_EVIDENCE[6];
-        0x92 0x08 "gnss_2.utc_time" [] GQ7_EVIDENCE[7];
-        0x92 0x09 "gnss_2.gps_time" [] GQ7_EVIDENCE[7];
-        0x92 0x0B "gnss_2.fix_info" [] GQ7_EVIDENCE[4];
-        0x92 0x0D "gnss_2.hardware_status" [] GQ7_EVIDENCE[2];
-        0x92 0x10 "gnss_2.clock_info_2" [] GQ7_EVIDENCE[7];
-        0x92 0x11 "gnss_2.gps_leap_seconds" [] GQ7_EVIDENCE[6];
-        0x92 0x12 "gnss_2.sbas_info" [] GQ7_EVIDENCE[3];
-        0x92 0x14 "gnss_2.rf_error_detection" [] GQ7_EVIDENCE[3];
-        0x92 0x20 "gnss_2.satellite_status" [] GQ7_EVIDENCE[7];
-        0x92 0x22 "gnss_2.raw" [] GQ7_EVIDENCE[7];
-        0x92 0x61 "gnss_2.gps_ephemeris" [] GQ7_EVIDENCE[7];
-        0x92 0x62 "gnss_2.glonass_ephemeris" [] GQ7_EVIDENCE[7];
-        0x92 0x63 "gnss_2.galileo_ephemeris" [] GQ7_EVIDENCE[7];
-        0x92 0x64 "gnss_2.beidou_ephemeris" [] GQ7_EVIDENCE[7];
-        0x93 0x30 "gnss_corrections.base_station_info" [] GQ7_EVIDENCE[3];
-        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GQ7_EVIDENCE[3];
-        0xA0 0x01 "system_data.built_in_test" [] GQ7_EVIDENCE[0];
-        0xA0 0x02 "system_data.time_sync_status" [] GQ7_EVIDENCE[7];
-        0xA0 0x03 "system_data.gpio_state" [] GQ7_EVIDENCE[7];
-        0xFF 0xD0 "shared.event_source" [] GQ7_EVIDENCE[7];
-        0xFF 0xD3 "shared.gps_timestamp" [] GQ7_EVIDENCE[3];
-        0xFF 0xD4 "shared.delta_time" [] GQ7_EVIDENCE[7];
-        0xFF 0xD5 "shared.reference_timestamp" [] GQ7_EVIDENCE[7];
-        0xFF 0xD6 "shared.reference_time_delta" [] GQ7_EVIDENCE[7];
-        0xFF 0xD7 "shared.external_timestamp" [] GQ7_EVIDENCE[7];
-        0xFF 0xD8 "shared.external_time_delta" [] GQ7_EVIDENCE[7];
+        0x01 0x01 "base.ping" [] GQ7_5;
+        0x01 0x02 "base.set_idle" [] GQ7_5;
+        0x01 0x03 "base.get_device_info" [] GQ7_1;
+        0x01 0x04 "base.get_device_descriptors" [] GQ7_2;
+        0x01 0x05 "base.built_in_test" [] GQ7_8;
+        0x01 0x06 "base.resume" [] GQ7_5;
+        0x01 0x07 "base.get_extended_descriptors" [] GQ7_2;
+        0x01 0x08 "base.continuous_built_in_test" [] GQ7_8;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GQ7_2;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GQ7_8;
+        0x01 0x7E "base.soft_reset" [] GQ7_8;
+        0x0C 0x04 "3dm.poll_nmea_data" [] GQ7_3;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0C 0x0D "3dm.poll_data" [] GQ7_8;
+        0x0C 0x0E "3dm.get_base_rate" [] GQ7_2;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GQ7_5;
+        0x0C 0x10 "3dm.factory_streaming" [] GQ7_6;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0C 0x2A "3dm.get_event_support" [] GQ7_8;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GQ7_8;
+        0x0C 0x2D "3dm.get_event_action_status" [] GQ7_8;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GQ7_5;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_8;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_8;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GQ7_3;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_8;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GQ7_8;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GQ7_1;
+        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GQ7_8;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GQ7_2;
+        0x0D 0x01 "filter.reset" [] GQ7_5;
+        0x0D 0x03 "filter.set_initial_heading" [] GQ7_8;
+        0x0D 0x05 "filter.run" [] GQ7_3;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0D 0x17 "filter.external_heading_update" [] GQ7_8;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GQ7_8;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GQ7_5;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GQ7_5;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_5;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_3;
+        0x0E 0x01 "gnss.receiver_info" [] GQ7_8;
+        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x0E 0x10 "gnss.rtk_dongle_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_6;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GQ7_8;
+        0x13 0x31 "aiding.true_heading" [] GQ7_8;
+        0x80 0x04 "sensor.scaled_accel" [] GQ7_4;
+        0x80 0x05 "sensor.scaled_gyro" [] GQ7_4;
+        0x80 0x06 "sensor.scaled_mag" [] GQ7_4;
+        0x80 0x07 "sensor.delta_theta" [] GQ7_4;
+        0x80 0x08 "sensor.delta_velocity" [] GQ7_4;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GQ7_8;
+        0x80 0x0A "sensor.comp_quaternion" [] GQ7_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] GQ7_8;
+        0x80 0x12 "sensor.gps_timestamp" [] GQ7_4;
+        0x80 0x14 "sensor.temperature_statistics" [] GQ7_1;
+        0x80 0x17 "sensor.scaled_pressure" [] GQ7_4;
+        0x80 0x18 "sensor.overrange_status" [] GQ7_4;
+        0x80 0x40 "sensor.odometer" [] GQ7_4;
+        0x82 0x01 "filter_data.llh_position" [] GQ7_4;
+        0x82 0x02 "filter_data.ned_velocity" [] GQ7_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GQ7_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] GQ7_8;
+        0x82 0x05 "filter_data.euler_angles" [] GQ7_4;
+        0x82 0x06 "filter_data.gyro_bias" [] GQ7_8;
+        0x82 0x07 "filter_data.accel_bias" [] GQ7_8;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GQ7_4;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GQ7_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GQ7_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GQ7_8;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GQ7_8;
+        0x82 0x0D "filter_data.linear_accel" [] GQ7_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GQ7_4;
+        0x82 0x10 "filter_data.status" [] GQ7_4;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GQ7_8;
+        0x82 0x13 "filter_data.gravity_vector" [] GQ7_8;
+        0x82 0x15 "filter_data.magnetic_model" [] GQ7_8;
+        0x82 0x1C "filter_data.comp_accel" [] GQ7_4;
+        0x82 0x21 "filter_data.pressure_altitude" [] GQ7_8;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] GQ7_4;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] GQ7_8;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GQ7_4;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GQ7_4;
+        0x82 0x40 "filter_data.ecef_position" [] GQ7_4;
+        0x82 0x41 "filter_data.ecef_velocity" [] GQ7_4;
+        0x82 0x42 "filter_data.ned_relative_position" [] GQ7_4;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GQ7_4;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] GQ7_4;
+        0x82 0x47 "filter_data.odometer_scale_factor_error" [] GQ7_8;
+        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [] GQ7_8;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GQ7_4;
+        0x91 0x03 "gnss_1.llh_position" [] GQ7_3;
+        0x91 0x04 "gnss_1.ecef_position" [] GQ7_4;
+        0x91 0x05 "gnss_1.ned_velocity" [] GQ7_4;
+        0x91 0x06 "gnss_1.ecef_velocity" [] GQ7_4;
+        0x91 0x07 "gnss_1.dop" [] GQ7_7;
+        0x91 0x08 "gnss_1.utc_time" [] GQ7_8;
+        0x91 0x09 "gnss_1.gps_time" [] GQ7_8;
+        0x91 0x0B "gnss_1.fix_info" [] GQ7_3;
+        0x91 0x0D "gnss_1.hardware_status" [] GQ7_8;
+        0x91 0x10 "gnss_1.clock_info_2" [] GQ7_8;
+        0x91 0x11 "gnss_1.gps_leap_seconds" [] GQ7_7;
+        0x91 0x12 "gnss_1.sbas_info" [] GQ7_4;
+        0x91 0x14 "gnss_1.rf_error_detection" [] GQ7_4;
+        0x91 0x20 "gnss_1.satellite_status" [] GQ7_8;
+        0x91 0x22 "gnss_1.raw" [] GQ7_8;
+        0x91 0x61 "gnss_1.gps_ephemeris" [] GQ7_8;
+        0x91 0x62 "gnss_1.glonass_ephemeris" [] GQ7_8;
+        0x91 0x63 "gnss_1.galileo_ephemeris" [] GQ7_8;
+        0x91 0x64 "gnss_1.beidou_ephemeris" [] GQ7_8;
+        0x92 0x03 "gnss_2.llh_position" [] GQ7_4;
+        0x92 0x04 "gnss_2.ecef_position" [] GQ7_4;
+        0x92 0x05 "gnss_2.ned_velocity" [] GQ7_4;
+        0x92 0x06 "gnss_2.ecef_velocity" [] GQ7_4;
+        0x92 0x07 "gnss_2.dop" [] GQ7_7;
+        0x92 0x08 "gnss_2.utc_time" [] GQ7_8;
+        0x92 0x09 "gnss_2.gps_time" [] GQ7_8;
+        0x92 0x0B "gnss_2.fix_info" [] GQ7_5;
+        0x92 0x0D "gnss_2.hardware_status" [] GQ7_3;
+        0x92 0x10 "gnss_2.clock_info_2" [] GQ7_8;
+        0x92 0x11 "gnss_2.gps_leap_seconds" [] GQ7_7;
+        0x92 0x12 "gnss_2.sbas_info" [] GQ7_4;
+        0x92 0x14 "gnss_2.rf_error_detection" [] GQ7_4;
+        0x92 0x20 "gnss_2.satellite_status" [] GQ7_8;
+        0x92 0x22 "gnss_2.raw" [] GQ7_8;
+        0x92 0x61 "gnss_2.gps_ephemeris" [] GQ7_8;
+        0x92 0x62 "gnss_2.glonass_ephemeris" [] GQ7_8;
+        0x92 0x63 "gnss_2.galileo_ephemeris" [] GQ7_8;
+        0x92 0x64 "gnss_2.beidou_ephemeris" [] GQ7_8;
+        0x93 0x30 "gnss_corrections.base_station_info" [] GQ7_4;
+        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GQ7_4;
+        0xA0 0x01 "system_data.built_in_test" [] GQ7_1;
+        0xA0 0x02 "system_data.time_sync_status" [] GQ7_8;
+        0xA0 0x03 "system_data.gpio_state" [] GQ7_8;
+        0xFF 0xD0 "shared.event_source" [] GQ7_8;
+        0xFF 0xD3 "shared.gps_timestamp" [] GQ7_4;
+        0xFF 0xD4 "shared.delta_time" [] GQ7_8;
+        0xFF 0xD5 "shared.reference_timestamp" [] GQ7_8;
+        0xFF 0xD6 "shared.reference_time_delta" [] GQ7_8;
+        0xFF 0xD7 "shared.external_timestamp" [] GQ7_8;
+        0xFF 0xD8 "shared.external_time_delta" [] GQ7_8;
     },
     refuses: supported! {
     },
@@ -4758,8 +4894,8 @@ pub static GQ7: Profile = Profile {
     variants: &[
         Variant {
             parameter: "base.comm_speed.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "1 is the main port, 2 the auxiliary one",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -4773,8 +4909,8 @@ pub static GQ7: Profile = Profile {
         },
         Variant {
             parameter: "base.comm_speed_response.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "1 is the main port, 2 the auxiliary one",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -4822,14 +4958,23 @@ pub static GQ7: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_AHRS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const GV7_AHRS_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_AHRS_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const GV7_AHRS_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GV7_AHRS_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const GV7_AHRS_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_AHRS_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-AHRS
 ///
@@ -4881,93 +5026,93 @@ pub static GV7_AHRS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GV7_AHRS_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GV7_AHRS_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GV7_AHRS_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GV7_AHRS_EVIDENCE[4];
-        0x01 0x05 "base.built_in_test" [] GV7_AHRS_EVIDENCE[5];
-        0x01 0x06 "base.resume" [] GV7_AHRS_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_AHRS_EVIDENCE[4];
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_AHRS_EVIDENCE[5];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AHRS_EVIDENCE[5];
-        0x01 0x7E "base.soft_reset" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x0D "3dm.poll_data" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x0E "3dm.get_base_rate" [] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[1];
-        0x0C 0x2A "3dm.get_event_support" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AHRS_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[2];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AHRS_EVIDENCE[5];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x01 "filter.reset" [] GV7_AHRS_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[1];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[1];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_EVIDENCE[5];
-        0x13 0x31 "aiding.true_heading" [] GV7_AHRS_EVIDENCE[5];
-        0x13 0x32 "aiding.magnetic_field" [] GV7_AHRS_EVIDENCE[5];
-        0x80 0x04 "sensor.scaled_accel" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] GV7_AHRS_EVIDENCE[5];
-        0x80 0x08 "sensor.delta_velocity" [] GV7_AHRS_EVIDENCE[5];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_AHRS_EVIDENCE[5];
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_AHRS_EVIDENCE[3];
-        0x80 0x18 "sensor.overrange_status" [] GV7_AHRS_EVIDENCE[5];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AHRS_EVIDENCE[5];
-        0x82 0x05 "filter_data.euler_angles" [] GV7_AHRS_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] GV7_AHRS_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] GV7_AHRS_EVIDENCE[3];
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AHRS_EVIDENCE[3];
-        0xA0 0x01 "system_data.built_in_test" [] GV7_AHRS_EVIDENCE[5];
-        0xA0 0x02 "system_data.time_sync_status" [] GV7_AHRS_EVIDENCE[1];
-        0xA0 0x03 "system_data.gpio_state" [] GV7_AHRS_EVIDENCE[3];
-        0xFF 0xD0 "shared.event_source" [] GV7_AHRS_EVIDENCE[0];
-        0xFF 0xD3 "shared.gps_timestamp" [] GV7_AHRS_EVIDENCE[0];
-        0xFF 0xD4 "shared.delta_time" [] GV7_AHRS_EVIDENCE[5];
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AHRS_EVIDENCE[3];
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AHRS_EVIDENCE[5];
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_AHRS_EVIDENCE[3];
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_AHRS_EVIDENCE[5];
+        0x01 0x01 "base.ping" [] GV7_AHRS_1;
+        0x01 0x02 "base.set_idle" [] GV7_AHRS_1;
+        0x01 0x03 "base.get_device_info" [] GV7_AHRS_1;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_AHRS_5;
+        0x01 0x05 "base.built_in_test" [] GV7_AHRS_6;
+        0x01 0x06 "base.resume" [] GV7_AHRS_1;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_AHRS_5;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_AHRS_6;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AHRS_6;
+        0x01 0x7E "base.soft_reset" [] GV7_AHRS_6;
+        0x0C 0x0D "3dm.poll_data" [] GV7_AHRS_6;
+        0x0C 0x0E "3dm.get_base_rate" [] GV7_AHRS_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_AHRS_6;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_AHRS_6;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AHRS_6;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AHRS_6;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AHRS_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AHRS_6;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_3;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AHRS_6;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AHRS_6;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x01 "filter.reset" [] GV7_AHRS_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_AHRS_6;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_2;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AHRS_6;
+        0x13 0x31 "aiding.true_heading" [] GV7_AHRS_6;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_AHRS_6;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_AHRS_4;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_AHRS_4;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_AHRS_4;
+        0x80 0x07 "sensor.delta_theta" [] GV7_AHRS_6;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_AHRS_6;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AHRS_4;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_AHRS_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AHRS_4;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_AHRS_6;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_AHRS_4;
+        0x80 0x18 "sensor.overrange_status" [] GV7_AHRS_6;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AHRS_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AHRS_6;
+        0x82 0x05 "filter_data.euler_angles" [] GV7_AHRS_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_AHRS_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AHRS_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AHRS_4;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_AHRS_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AHRS_4;
+        0x82 0x10 "filter_data.status" [] GV7_AHRS_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AHRS_4;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_AHRS_4;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_AHRS_4;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AHRS_4;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_AHRS_6;
+        0xA0 0x02 "system_data.time_sync_status" [] GV7_AHRS_2;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_AHRS_4;
+        0xFF 0xD0 "shared.event_source" [] GV7_AHRS_1;
+        0xFF 0xD3 "shared.gps_timestamp" [] GV7_AHRS_1;
+        0xFF 0xD4 "shared.delta_time" [] GV7_AHRS_6;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AHRS_4;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AHRS_6;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_AHRS_4;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_AHRS_6;
     },
     refuses: supported! {
     },
@@ -5008,7 +5153,7 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5023,7 +5168,7 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5066,14 +5211,23 @@ pub static GV7_AHRS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_AR_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const GV7_AR_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_AR_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const GV7_AR_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GV7_AR_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const GV7_AR_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_AR_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-AR
 ///
@@ -5125,93 +5279,93 @@ pub static GV7_AR: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GV7_AR_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GV7_AR_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GV7_AR_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GV7_AR_EVIDENCE[4];
-        0x01 0x05 "base.built_in_test" [] GV7_AR_EVIDENCE[5];
-        0x01 0x06 "base.resume" [] GV7_AR_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_AR_EVIDENCE[4];
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_AR_EVIDENCE[5];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AR_EVIDENCE[5];
-        0x01 0x7E "base.soft_reset" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x0D "3dm.poll_data" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x0E "3dm.get_base_rate" [] GV7_AR_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[1];
-        0x0C 0x2A "3dm.get_event_support" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[0];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_EVIDENCE[5];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_EVIDENCE[5];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AR_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_EVIDENCE[5];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_EVIDENCE[5];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[2];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AR_EVIDENCE[5];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AR_EVIDENCE[5];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x01 "filter.reset" [] GV7_AR_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_AR_EVIDENCE[5];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[1];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[1];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[1];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_EVIDENCE[5];
-        0x13 0x31 "aiding.true_heading" [] GV7_AR_EVIDENCE[5];
-        0x13 0x32 "aiding.magnetic_field" [] GV7_AR_EVIDENCE[5];
-        0x80 0x04 "sensor.scaled_accel" [] GV7_AR_EVIDENCE[3];
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_AR_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] GV7_AR_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] GV7_AR_EVIDENCE[5];
-        0x80 0x08 "sensor.delta_velocity" [] GV7_AR_EVIDENCE[5];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AR_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_AR_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AR_EVIDENCE[3];
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_AR_EVIDENCE[5];
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_AR_EVIDENCE[3];
-        0x80 0x18 "sensor.overrange_status" [] GV7_AR_EVIDENCE[5];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AR_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AR_EVIDENCE[5];
-        0x82 0x05 "filter_data.euler_angles" [] GV7_AR_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_AR_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AR_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AR_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] GV7_AR_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AR_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] GV7_AR_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AR_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_AR_EVIDENCE[3];
-        0x82 0x1C "filter_data.comp_accel" [] GV7_AR_EVIDENCE[3];
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AR_EVIDENCE[3];
-        0xA0 0x01 "system_data.built_in_test" [] GV7_AR_EVIDENCE[5];
-        0xA0 0x02 "system_data.time_sync_status" [] GV7_AR_EVIDENCE[1];
-        0xA0 0x03 "system_data.gpio_state" [] GV7_AR_EVIDENCE[3];
-        0xFF 0xD0 "shared.event_source" [] GV7_AR_EVIDENCE[0];
-        0xFF 0xD3 "shared.gps_timestamp" [] GV7_AR_EVIDENCE[0];
-        0xFF 0xD4 "shared.delta_time" [] GV7_AR_EVIDENCE[5];
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AR_EVIDENCE[3];
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AR_EVIDENCE[5];
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_AR_EVIDENCE[3];
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_AR_EVIDENCE[5];
+        0x01 0x01 "base.ping" [] GV7_AR_1;
+        0x01 0x02 "base.set_idle" [] GV7_AR_1;
+        0x01 0x03 "base.get_device_info" [] GV7_AR_1;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_AR_5;
+        0x01 0x05 "base.built_in_test" [] GV7_AR_6;
+        0x01 0x06 "base.resume" [] GV7_AR_1;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_AR_5;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_AR_6;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_AR_6;
+        0x01 0x7E "base.soft_reset" [] GV7_AR_6;
+        0x0C 0x0D "3dm.poll_data" [] GV7_AR_6;
+        0x0C 0x0E "3dm.get_base_rate" [] GV7_AR_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_AR_6;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_AR_6;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_AR_6;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_AR_6;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_1;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_AR_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_AR_6;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_3;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_AR_6;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_AR_6;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x01 "filter.reset" [] GV7_AR_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_AR_6;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_2;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_AR_6;
+        0x13 0x31 "aiding.true_heading" [] GV7_AR_6;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_AR_6;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_AR_4;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_AR_4;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_AR_4;
+        0x80 0x07 "sensor.delta_theta" [] GV7_AR_6;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_AR_6;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_AR_4;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_AR_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_AR_4;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_AR_6;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_AR_4;
+        0x80 0x18 "sensor.overrange_status" [] GV7_AR_6;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_AR_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_AR_6;
+        0x82 0x05 "filter_data.euler_angles" [] GV7_AR_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_AR_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_AR_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_AR_4;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_AR_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_AR_4;
+        0x82 0x10 "filter_data.status" [] GV7_AR_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_AR_4;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_AR_4;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_AR_4;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_AR_4;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_AR_6;
+        0xA0 0x02 "system_data.time_sync_status" [] GV7_AR_2;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_AR_4;
+        0xFF 0xD0 "shared.event_source" [] GV7_AR_1;
+        0xFF 0xD3 "shared.gps_timestamp" [] GV7_AR_1;
+        0xFF 0xD4 "shared.delta_time" [] GV7_AR_6;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_AR_4;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_AR_6;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_AR_4;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_AR_6;
     },
     refuses: supported! {
     },
@@ -5252,7 +5406,7 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5267,7 +5421,7 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5310,14 +5464,23 @@ pub static GV7_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GV7_INS_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." },
-];
+const GV7_INS_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_INS_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+#[rustfmt::skip]
+const GV7_INS_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GV7_INS_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+#[rustfmt::skip]
+const GV7_INS_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GV7_INS_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-INS
 ///
@@ -5370,132 +5533,132 @@ pub static GV7_INS: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GV7_INS_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GV7_INS_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GV7_INS_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GV7_INS_EVIDENCE[4];
-        0x01 0x05 "base.built_in_test" [] GV7_INS_EVIDENCE[5];
-        0x01 0x06 "base.resume" [] GV7_INS_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] GV7_INS_EVIDENCE[4];
-        0x01 0x08 "base.continuous_built_in_test" [] GV7_INS_EVIDENCE[5];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_INS_EVIDENCE[5];
-        0x01 0x7E "base.soft_reset" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x04 "3dm.poll_nmea_data" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x0D "3dm.poll_data" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x0E "3dm.get_base_rate" [] GV7_INS_EVIDENCE[0];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[0];
-        0x0C 0x10 "3dm.factory_streaming" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x0C 0x2A "3dm.get_event_support" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x2D "3dm.get_event_action_status" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[0];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_EVIDENCE[5];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_EVIDENCE[5];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_INS_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_EVIDENCE[5];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_EVIDENCE[5];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_INS_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_INS_EVIDENCE[5];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x01 "filter.reset" [] GV7_INS_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GV7_INS_EVIDENCE[5];
-        0x0D 0x05 "filter.run" [] GV7_INS_EVIDENCE[5];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x17 "filter.external_heading_update" [] GV7_INS_EVIDENCE[5];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GV7_INS_EVIDENCE[5];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[0];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[2];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[1];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[0];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_EVIDENCE[5];
-        0x13 0x21 "aiding.ecef_position" [] GV7_INS_EVIDENCE[5];
-        0x13 0x22 "aiding.llh_position" [] GV7_INS_EVIDENCE[0];
-        0x13 0x23 "aiding.height_above_ellipsoid" [] GV7_INS_EVIDENCE[5];
-        0x13 0x28 "aiding.ecef_velocity" [] GV7_INS_EVIDENCE[5];
-        0x13 0x29 "aiding.ned_velocity" [] GV7_INS_EVIDENCE[0];
-        0x13 0x2A "aiding.body_frame_velocity" [] GV7_INS_EVIDENCE[0];
-        0x13 0x31 "aiding.true_heading" [] GV7_INS_EVIDENCE[0];
-        0x13 0x32 "aiding.magnetic_field" [] GV7_INS_EVIDENCE[5];
-        0x13 0x33 "aiding.pressure" [] GV7_INS_EVIDENCE[5];
-        0x80 0x04 "sensor.scaled_accel" [] GV7_INS_EVIDENCE[3];
-        0x80 0x05 "sensor.scaled_gyro" [] GV7_INS_EVIDENCE[3];
-        0x80 0x06 "sensor.scaled_mag" [] GV7_INS_EVIDENCE[3];
-        0x80 0x07 "sensor.delta_theta" [] GV7_INS_EVIDENCE[5];
-        0x80 0x08 "sensor.delta_velocity" [] GV7_INS_EVIDENCE[5];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_INS_EVIDENCE[3];
-        0x80 0x0A "sensor.comp_quaternion" [] GV7_INS_EVIDENCE[3];
-        0x80 0x0C "sensor.comp_euler_angles" [] GV7_INS_EVIDENCE[3];
-        0x80 0x14 "sensor.temperature_statistics" [] GV7_INS_EVIDENCE[5];
-        0x80 0x17 "sensor.scaled_pressure" [] GV7_INS_EVIDENCE[3];
-        0x80 0x18 "sensor.overrange_status" [] GV7_INS_EVIDENCE[5];
-        0x82 0x01 "filter_data.llh_position" [] GV7_INS_EVIDENCE[0];
-        0x82 0x02 "filter_data.ned_velocity" [] GV7_INS_EVIDENCE[0];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_INS_EVIDENCE[3];
-        0x82 0x04 "filter_data.attitude_dcm" [] GV7_INS_EVIDENCE[5];
-        0x82 0x05 "filter_data.euler_angles" [] GV7_INS_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GV7_INS_EVIDENCE[3];
-        0x82 0x07 "filter_data.accel_bias" [] GV7_INS_EVIDENCE[3];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GV7_INS_EVIDENCE[5];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GV7_INS_EVIDENCE[5];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_INS_EVIDENCE[3];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_INS_EVIDENCE[3];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GV7_INS_EVIDENCE[3];
-        0x82 0x0D "filter_data.linear_accel" [] GV7_INS_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_INS_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] GV7_INS_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_INS_EVIDENCE[3];
-        0x82 0x13 "filter_data.gravity_vector" [] GV7_INS_EVIDENCE[3];
-        0x82 0x15 "filter_data.magnetic_model" [] GV7_INS_EVIDENCE[5];
-        0x82 0x1C "filter_data.comp_accel" [] GV7_INS_EVIDENCE[3];
-        0x82 0x21 "filter_data.pressure_altitude" [] GV7_INS_EVIDENCE[3];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GV7_INS_EVIDENCE[1];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GV7_INS_EVIDENCE[5];
-        0x82 0x40 "filter_data.ecef_position" [] GV7_INS_EVIDENCE[1];
-        0x82 0x41 "filter_data.ecef_velocity" [] GV7_INS_EVIDENCE[5];
-        0x82 0x42 "filter_data.ned_relative_position" [] GV7_INS_EVIDENCE[1];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GV7_INS_EVIDENCE[5];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [] GV7_INS_EVIDENCE[1];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [] GV7_INS_EVIDENCE[5];
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] GV7_INS_EVIDENCE[5];
-        0x94 0x03 "gnss_external.llh_position" [] GV7_INS_EVIDENCE[5];
-        0x94 0x05 "gnss_external.ned_velocity" [] GV7_INS_EVIDENCE[5];
-        0x94 0x08 "gnss_external.utc_time" [] GV7_INS_EVIDENCE[5];
-        0x94 0x0B "gnss_external.fix_info" [] GV7_INS_EVIDENCE[5];
-        0x94 0x20 "gnss_external.satellite_status" [] GV7_INS_EVIDENCE[5];
-        0xA0 0x01 "system_data.built_in_test" [] GV7_INS_EVIDENCE[5];
-        0xA0 0x02 "system_data.time_sync_status" [] GV7_INS_EVIDENCE[3];
-        0xA0 0x03 "system_data.gpio_state" [] GV7_INS_EVIDENCE[3];
-        0xFF 0xD0 "shared.event_source" [] GV7_INS_EVIDENCE[5];
-        0xFF 0xD3 "shared.gps_timestamp" [] GV7_INS_EVIDENCE[0];
-        0xFF 0xD4 "shared.delta_time" [] GV7_INS_EVIDENCE[5];
-        0xFF 0xD5 "shared.reference_timestamp" [] GV7_INS_EVIDENCE[3];
-        0xFF 0xD6 "shared.reference_time_delta" [] GV7_INS_EVIDENCE[5];
-        0xFF 0xD7 "shared.external_timestamp" [] GV7_INS_EVIDENCE[3];
-        0xFF 0xD8 "shared.external_time_delta" [] GV7_INS_EVIDENCE[5];
+        0x01 0x01 "base.ping" [] GV7_INS_1;
+        0x01 0x02 "base.set_idle" [] GV7_INS_1;
+        0x01 0x03 "base.get_device_info" [] GV7_INS_1;
+        0x01 0x04 "base.get_device_descriptors" [] GV7_INS_5;
+        0x01 0x05 "base.built_in_test" [] GV7_INS_6;
+        0x01 0x06 "base.resume" [] GV7_INS_1;
+        0x01 0x07 "base.get_extended_descriptors" [] GV7_INS_5;
+        0x01 0x08 "base.continuous_built_in_test" [] GV7_INS_6;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GV7_INS_6;
+        0x01 0x7E "base.soft_reset" [] GV7_INS_6;
+        0x0C 0x04 "3dm.poll_nmea_data" [] GV7_INS_6;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x0D "3dm.poll_data" [] GV7_INS_6;
+        0x0C 0x0E "3dm.get_base_rate" [] GV7_INS_1;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
+        0x0C 0x10 "3dm.factory_streaming" [] GV7_INS_6;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x0C 0x2A "3dm.get_event_support" [] GV7_INS_6;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] GV7_INS_6;
+        0x0C 0x2D "3dm.get_event_action_status" [] GV7_INS_6;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GV7_INS_1;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GV7_INS_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GV7_INS_6;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] GV7_INS_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] GV7_INS_6;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x01 "filter.reset" [] GV7_INS_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GV7_INS_6;
+        0x0D 0x05 "filter.run" [] GV7_INS_6;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x17 "filter.external_heading_update" [] GV7_INS_6;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GV7_INS_6;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_3;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_2;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_1;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] GV7_INS_6;
+        0x13 0x21 "aiding.ecef_position" [] GV7_INS_6;
+        0x13 0x22 "aiding.llh_position" [] GV7_INS_1;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] GV7_INS_6;
+        0x13 0x28 "aiding.ecef_velocity" [] GV7_INS_6;
+        0x13 0x29 "aiding.ned_velocity" [] GV7_INS_1;
+        0x13 0x2A "aiding.body_frame_velocity" [] GV7_INS_1;
+        0x13 0x31 "aiding.true_heading" [] GV7_INS_1;
+        0x13 0x32 "aiding.magnetic_field" [] GV7_INS_6;
+        0x13 0x33 "aiding.pressure" [] GV7_INS_6;
+        0x80 0x04 "sensor.scaled_accel" [] GV7_INS_4;
+        0x80 0x05 "sensor.scaled_gyro" [] GV7_INS_4;
+        0x80 0x06 "sensor.scaled_mag" [] GV7_INS_4;
+        0x80 0x07 "sensor.delta_theta" [] GV7_INS_6;
+        0x80 0x08 "sensor.delta_velocity" [] GV7_INS_6;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GV7_INS_4;
+        0x80 0x0A "sensor.comp_quaternion" [] GV7_INS_4;
+        0x80 0x0C "sensor.comp_euler_angles" [] GV7_INS_4;
+        0x80 0x14 "sensor.temperature_statistics" [] GV7_INS_6;
+        0x80 0x17 "sensor.scaled_pressure" [] GV7_INS_4;
+        0x80 0x18 "sensor.overrange_status" [] GV7_INS_6;
+        0x82 0x01 "filter_data.llh_position" [] GV7_INS_1;
+        0x82 0x02 "filter_data.ned_velocity" [] GV7_INS_1;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GV7_INS_4;
+        0x82 0x04 "filter_data.attitude_dcm" [] GV7_INS_6;
+        0x82 0x05 "filter_data.euler_angles" [] GV7_INS_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GV7_INS_4;
+        0x82 0x07 "filter_data.accel_bias" [] GV7_INS_4;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GV7_INS_6;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GV7_INS_6;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GV7_INS_4;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GV7_INS_4;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GV7_INS_4;
+        0x82 0x0D "filter_data.linear_accel" [] GV7_INS_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GV7_INS_4;
+        0x82 0x10 "filter_data.status" [] GV7_INS_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GV7_INS_4;
+        0x82 0x13 "filter_data.gravity_vector" [] GV7_INS_4;
+        0x82 0x15 "filter_data.magnetic_model" [] GV7_INS_6;
+        0x82 0x1C "filter_data.comp_accel" [] GV7_INS_4;
+        0x82 0x21 "filter_data.pressure_altitude" [] GV7_INS_4;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GV7_INS_2;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GV7_INS_6;
+        0x82 0x40 "filter_data.ecef_position" [] GV7_INS_2;
+        0x82 0x41 "filter_data.ecef_velocity" [] GV7_INS_6;
+        0x82 0x42 "filter_data.ned_relative_position" [] GV7_INS_2;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GV7_INS_6;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] GV7_INS_2;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] GV7_INS_6;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] GV7_INS_6;
+        0x94 0x03 "gnss_external.llh_position" [] GV7_INS_6;
+        0x94 0x05 "gnss_external.ned_velocity" [] GV7_INS_6;
+        0x94 0x08 "gnss_external.utc_time" [] GV7_INS_6;
+        0x94 0x0B "gnss_external.fix_info" [] GV7_INS_6;
+        0x94 0x20 "gnss_external.satellite_status" [] GV7_INS_6;
+        0xA0 0x01 "system_data.built_in_test" [] GV7_INS_6;
+        0xA0 0x02 "system_data.time_sync_status" [] GV7_INS_4;
+        0xA0 0x03 "system_data.gpio_state" [] GV7_INS_4;
+        0xFF 0xD0 "shared.event_source" [] GV7_INS_6;
+        0xFF 0xD3 "shared.gps_timestamp" [] GV7_INS_1;
+        0xFF 0xD4 "shared.delta_time" [] GV7_INS_6;
+        0xFF 0xD5 "shared.reference_timestamp" [] GV7_INS_4;
+        0xFF 0xD6 "shared.reference_time_delta" [] GV7_INS_6;
+        0xFF 0xD7 "shared.external_timestamp" [] GV7_INS_4;
+        0xFF 0xD8 "shared.external_time_delta" [] GV7_INS_6;
     },
     refuses: supported! {
     },
@@ -5543,7 +5706,7 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2 and usb_1",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -5558,7 +5721,7 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            difference: "values of comm_interface; only main, uart_1, uart_2 and usb_1",
         },
         Variant {
             parameter: "3dm.pps_source_control.source",
@@ -5601,10 +5764,11 @@ pub static GV7_INS: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." },
-];
+const GX3_15_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GX3_15_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
 
 /// 3DM-GX3-15
 ///
@@ -5627,23 +5791,23 @@ pub static GX3_15: Profile = Profile {
         "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX3_15_EVIDENCE[1];
-        0x01 0x02 "base.set_idle" [] GX3_15_EVIDENCE[1];
-        0x01 0x03 "base.get_device_info" [] GX3_15_EVIDENCE[1];
-        0x01 0x04 "base.get_device_descriptors" [] GX3_15_EVIDENCE[1];
-        0x01 0x05 "base.built_in_test" [] GX3_15_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] GX3_15_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX3_15_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_15_EVIDENCE[1];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_15_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_15_EVIDENCE[1];
-        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_15_EVIDENCE[0];
-        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_15_EVIDENCE[1];
-        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_15_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] GX3_15_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] GX3_15_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] GX3_15_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] GX3_15_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] GX3_15_2;
+        0x01 0x02 "base.set_idle" [] GX3_15_2;
+        0x01 0x03 "base.get_device_info" [] GX3_15_2;
+        0x01 0x04 "base.get_device_descriptors" [] GX3_15_2;
+        0x01 0x05 "base.built_in_test" [] GX3_15_2;
+        0x01 0x06 "base.resume" [] GX3_15_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX3_15_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_15_2;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_15_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_15_2;
+        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_15_1;
+        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_15_2;
+        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_15_2;
+        0x0C 0x64 "3dm.device_status" [] GX3_15_2;
+        0x80 0x04 "sensor.scaled_accel" [] GX3_15_2;
+        0x80 0x05 "sensor.scaled_gyro" [] GX3_15_2;
+        0x80 0x06 "sensor.scaled_mag" [] GX3_15_2;
     },
     refuses: supported! {
     },
@@ -5675,13 +5839,20 @@ pub static GX3_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." },
-    Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 347)." },
-    Evidence { answer: Support::No, why: "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213)." },
-];
+const GX3_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GX3_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX3_25_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
+#[rustfmt::skip]
+const GX3_25_4: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 347)." };
+#[rustfmt::skip]
+const GX3_25_5: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213)." };
 
 /// 3DM-GX3-25
 ///
@@ -5704,53 +5875,53 @@ pub static GX3_25: Profile = Profile {
         "Its manual (8500-0024, revision 002 of 2012, for firmware 2.0.00 and later) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX3_25_EVIDENCE[2];
-        0x01 0x02 "base.set_idle" [] GX3_25_EVIDENCE[2];
-        0x01 0x03 "base.get_device_info" [] GX3_25_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] GX3_25_EVIDENCE[2];
-        0x01 0x05 "base.built_in_test" [] GX3_25_EVIDENCE[2];
-        0x01 0x06 "base.resume" [] GX3_25_EVIDENCE[2];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX3_25_EVIDENCE[2];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_25_EVIDENCE[2];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[2];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[2];
-        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[0];
-        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_25_EVIDENCE[2];
-        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] GX3_25_EVIDENCE[2];
-        0x80 0x04 "sensor.scaled_accel" [] GX3_25_EVIDENCE[2];
-        0x80 0x05 "sensor.scaled_gyro" [] GX3_25_EVIDENCE[2];
-        0x80 0x06 "sensor.scaled_mag" [] GX3_25_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] GX3_25_3;
+        0x01 0x02 "base.set_idle" [] GX3_25_3;
+        0x01 0x03 "base.get_device_info" [] GX3_25_3;
+        0x01 0x04 "base.get_device_descriptors" [] GX3_25_3;
+        0x01 0x05 "base.built_in_test" [] GX3_25_3;
+        0x01 0x06 "base.resume" [] GX3_25_3;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX3_25_3;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_25_3;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_25_3;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_25_3;
+        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_25_1;
+        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_25_3;
+        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_25_2;
+        0x0C 0x64 "3dm.device_status" [] GX3_25_3;
+        0x80 0x04 "sensor.scaled_accel" [] GX3_25_3;
+        0x80 0x05 "sensor.scaled_gyro" [] GX3_25_3;
+        0x80 0x06 "sensor.scaled_mag" [] GX3_25_3;
     },
     refuses: supported! {
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x0E 0x10 "gnss.rtk_dongle_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_EVIDENCE[3];
-        0x81 0x03 "gnss_data.llh_position" [] GX3_25_EVIDENCE[4];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX3_25_EVIDENCE[4];
-        0x81 0x0B "gnss_data.fix_info" [] GX3_25_EVIDENCE[4];
-        0x82 0x01 "filter_data.llh_position" [] GX3_25_EVIDENCE[3];
-        0x82 0x02 "filter_data.ned_velocity" [] GX3_25_EVIDENCE[3];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX3_25_EVIDENCE[3];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX3_25_EVIDENCE[3];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GX3_25_EVIDENCE[3];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX3_25_EVIDENCE[3];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX3_25_EVIDENCE[3];
-        0x82 0x10 "filter_data.status" [] GX3_25_EVIDENCE[3];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GX3_25_EVIDENCE[3];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GX3_25_EVIDENCE[3];
-        0x82 0x40 "filter_data.ecef_position" [] GX3_25_EVIDENCE[3];
-        0x82 0x41 "filter_data.ecef_velocity" [] GX3_25_EVIDENCE[3];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GX3_25_EVIDENCE[4];
-        0x91 0x03 "gnss_1.llh_position" [] GX3_25_EVIDENCE[4];
-        0x91 0x05 "gnss_1.ned_velocity" [] GX3_25_EVIDENCE[4];
-        0x91 0x0B "gnss_1.fix_info" [] GX3_25_EVIDENCE[4];
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x0E 0x10 "gnss.rtk_dongle_config" [WRITE READ SAVE LOAD DEFAULT] GX3_25_4;
+        0x81 0x03 "gnss_data.llh_position" [] GX3_25_5;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX3_25_5;
+        0x81 0x0B "gnss_data.fix_info" [] GX3_25_5;
+        0x82 0x01 "filter_data.llh_position" [] GX3_25_4;
+        0x82 0x02 "filter_data.ned_velocity" [] GX3_25_4;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX3_25_4;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX3_25_4;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GX3_25_4;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX3_25_4;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX3_25_4;
+        0x82 0x10 "filter_data.status" [] GX3_25_4;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] GX3_25_4;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] GX3_25_4;
+        0x82 0x40 "filter_data.ecef_position" [] GX3_25_4;
+        0x82 0x41 "filter_data.ecef_velocity" [] GX3_25_4;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GX3_25_5;
+        0x91 0x03 "gnss_1.llh_position" [] GX3_25_5;
+        0x91 0x05 "gnss_1.ned_velocity" [] GX3_25_5;
+        0x91 0x0B "gnss_1.fix_info" [] GX3_25_5;
     },
     base_rates: &[
     ],
@@ -5780,10 +5951,11 @@ pub static GX3_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_35_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-];
+const GX3_35_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX3_35_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." };
 
 /// 3DM-GX3-35
 ///
@@ -5811,33 +5983,33 @@ pub static GX3_35: Profile = Profile {
         "Its manual (1.00 of 2011-01-04) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX3_35_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX3_35_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX3_35_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX3_35_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX3_35_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX3_35_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX3_35_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_35_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_35_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_35_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x34 "3dm.gps_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_35_EVIDENCE[0];
-        0x0C 0x60 "3dm.data_stream_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x0C 0x62 "3dm.gps_advanced_settings" [SAVE LOAD DEFAULT] GX3_35_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] GX3_35_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_35_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX3_35_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX3_35_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX3_35_EVIDENCE[0];
-        0x81 0x03 "gnss_data.llh_position" [] GX3_35_EVIDENCE[0];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX3_35_EVIDENCE[0];
-        0x81 0x09 "gnss_data.gps_time" [] GX3_35_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] GX3_35_1;
+        0x01 0x02 "base.set_idle" [] GX3_35_1;
+        0x01 0x03 "base.get_device_info" [] GX3_35_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX3_35_1;
+        0x01 0x05 "base.built_in_test" [] GX3_35_1;
+        0x01 0x06 "base.resume" [] GX3_35_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX3_35_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_35_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_35_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_35_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x34 "3dm.gps_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_35_1;
+        0x0C 0x60 "3dm.data_stream_format" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x61 "3dm.device_power_state" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x0C 0x62 "3dm.gps_advanced_settings" [SAVE LOAD DEFAULT] GX3_35_2;
+        0x0C 0x64 "3dm.device_status" [] GX3_35_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_35_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX3_35_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX3_35_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX3_35_1;
+        0x81 0x03 "gnss_data.llh_position" [] GX3_35_1;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX3_35_1;
+        0x81 0x09 "gnss_data.gps_time" [] GX3_35_1;
     },
     refuses: supported! {
     },
@@ -5869,11 +6041,14 @@ pub static GX3_35: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX3_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." },
-];
+const GX3_45_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX3_45_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GX3_45_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
 
 /// 3DM-GX3-45
 ///
@@ -5897,51 +6072,51 @@ pub static GX3_45: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX3_45_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX3_45_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX3_45_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX3_45_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX3_45_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX3_45_EVIDENCE[2];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX3_45_EVIDENCE[2];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_45_EVIDENCE[2];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_45_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_45_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX3_45_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[2];
-        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_45_EVIDENCE[2];
-        0x0C 0x64 "3dm.device_status" [] GX3_45_EVIDENCE[2];
-        0x0D 0x01 "filter.reset" [] GX3_45_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX3_45_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GX3_45_EVIDENCE[0];
-        0x0D 0x04 "filter.set_initial_attitude_from_imu" [] GX3_45_EVIDENCE[0];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_45_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX3_45_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX3_45_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX3_45_EVIDENCE[0];
-        0x81 0x03 "gnss_data.llh_position" [] GX3_45_EVIDENCE[0];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX3_45_EVIDENCE[0];
-        0x81 0x09 "gnss_data.gps_time" [] GX3_45_EVIDENCE[0];
-        0x82 0x01 "filter_data.llh_position" [] GX3_45_EVIDENCE[0];
-        0x82 0x02 "filter_data.ned_velocity" [] GX3_45_EVIDENCE[0];
-        0x82 0x05 "filter_data.euler_angles" [] GX3_45_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] GX3_45_1;
+        0x01 0x02 "base.set_idle" [] GX3_45_1;
+        0x01 0x03 "base.get_device_info" [] GX3_45_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX3_45_1;
+        0x01 0x05 "base.built_in_test" [] GX3_45_1;
+        0x01 0x06 "base.resume" [] GX3_45_3;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX3_45_3;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX3_45_3;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX3_45_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX3_45_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX3_45_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0C 0x35 "3dm.imu_signal_conditioning" [WRITE READ SAVE LOAD DEFAULT] GX3_45_3;
+        0x0C 0x36 "3dm.imu_timestamp" [WRITE READ] GX3_45_3;
+        0x0C 0x64 "3dm.device_status" [] GX3_45_3;
+        0x0D 0x01 "filter.reset" [] GX3_45_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX3_45_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GX3_45_1;
+        0x0D 0x04 "filter.set_initial_attitude_from_imu" [] GX3_45_1;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX3_45_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX3_45_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX3_45_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX3_45_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX3_45_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX3_45_1;
+        0x81 0x03 "gnss_data.llh_position" [] GX3_45_1;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX3_45_1;
+        0x81 0x09 "gnss_data.gps_time" [] GX3_45_1;
+        0x82 0x01 "filter_data.llh_position" [] GX3_45_1;
+        0x82 0x02 "filter_data.ned_velocity" [] GX3_45_1;
+        0x82 0x05 "filter_data.euler_angles" [] GX3_45_1;
     },
     refuses: supported! {
     },
@@ -5998,11 +6173,14 @@ pub static GX3_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX4-25." },
-];
+const GX4_15_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX4_15_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GX4_15_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX4-25." };
 
 /// 3DM-GX4-15
 ///
@@ -6037,69 +6215,69 @@ pub static GX4_15: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX4_15_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX4_15_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX4_15_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX4_15_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX4_15_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX4_15_EVIDENCE[2];
-        0x01 0x7E "base.soft_reset" [] GX4_15_EVIDENCE[2];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX4_15_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX4_15_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_15_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_15_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_15_EVIDENCE[2];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_15_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[2];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[2];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[2];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GX4_15_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GX4_15_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX4_15_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GX4_15_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_15_EVIDENCE[0];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_15_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX4_15_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX4_15_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX4_15_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX4_15_EVIDENCE[2];
-        0x80 0x08 "sensor.delta_velocity" [] GX4_15_EVIDENCE[2];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_15_EVIDENCE[2];
-        0x80 0x0A "sensor.comp_quaternion" [] GX4_15_EVIDENCE[2];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX4_15_EVIDENCE[2];
-        0x80 0x10 "sensor.north_vector" [] GX4_15_EVIDENCE[2];
-        0x80 0x11 "sensor.up_vector" [] GX4_15_EVIDENCE[2];
-        0x80 0x12 "sensor.gps_timestamp" [] GX4_15_EVIDENCE[2];
-        0x80 0x17 "sensor.scaled_pressure" [] GX4_15_EVIDENCE[2];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_15_EVIDENCE[2];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX4_15_EVIDENCE[2];
-        0x82 0x05 "filter_data.euler_angles" [] GX4_15_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX4_15_EVIDENCE[2];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_15_EVIDENCE[2];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_15_EVIDENCE[2];
-        0x82 0x0D "filter_data.linear_accel" [] GX4_15_EVIDENCE[2];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_15_EVIDENCE[2];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_15_EVIDENCE[2];
-        0x82 0x10 "filter_data.status" [] GX4_15_EVIDENCE[2];
-        0x82 0x11 "filter_data.timestamp" [] GX4_15_EVIDENCE[2];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_15_EVIDENCE[2];
-        0x82 0x13 "filter_data.gravity_vector" [] GX4_15_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] GX4_15_1;
+        0x01 0x02 "base.set_idle" [] GX4_15_1;
+        0x01 0x03 "base.get_device_info" [] GX4_15_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX4_15_1;
+        0x01 0x05 "base.built_in_test" [] GX4_15_1;
+        0x01 0x06 "base.resume" [] GX4_15_3;
+        0x01 0x7E "base.soft_reset" [] GX4_15_3;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX4_15_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX4_15_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_15_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_15_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_15_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_15_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0C 0x64 "3dm.device_status" [] GX4_15_1;
+        0x0D 0x01 "filter.reset" [] GX4_15_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX4_15_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GX4_15_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_15_1;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_15_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_15_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX4_15_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX4_15_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX4_15_1;
+        0x80 0x07 "sensor.delta_theta" [] GX4_15_3;
+        0x80 0x08 "sensor.delta_velocity" [] GX4_15_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_15_3;
+        0x80 0x0A "sensor.comp_quaternion" [] GX4_15_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX4_15_3;
+        0x80 0x10 "sensor.north_vector" [] GX4_15_3;
+        0x80 0x11 "sensor.up_vector" [] GX4_15_3;
+        0x80 0x12 "sensor.gps_timestamp" [] GX4_15_3;
+        0x80 0x17 "sensor.scaled_pressure" [] GX4_15_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_15_3;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX4_15_3;
+        0x82 0x05 "filter_data.euler_angles" [] GX4_15_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX4_15_3;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_15_3;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_15_3;
+        0x82 0x0D "filter_data.linear_accel" [] GX4_15_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_15_3;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_15_3;
+        0x82 0x10 "filter_data.status" [] GX4_15_3;
+        0x82 0x11 "filter_data.timestamp" [] GX4_15_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_15_3;
+        0x82 0x13 "filter_data.gravity_vector" [] GX4_15_3;
     },
     refuses: supported! {
     },
@@ -6161,12 +6339,17 @@ pub static GX4_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Driver imu_3dm_gx4)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." },
-    Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 30)." },
-];
+const GX4_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX4_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Driver imu_3dm_gx4)." };
+#[rustfmt::skip]
+const GX4_25_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." };
+#[rustfmt::skip]
+const GX4_25_4: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 30)." };
 
 /// 3DM-GX4-25
 ///
@@ -6202,84 +6385,84 @@ pub static GX4_25: Profile = Profile {
         "Its manual (of 2014-12-23) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX4_25_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX4_25_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX4_25_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX4_25_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX4_25_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX4_25_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] GX4_25_EVIDENCE[2];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX4_25_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX4_25_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_25_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_25_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_25_EVIDENCE[2];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_25_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[2];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[2];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GX4_25_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GX4_25_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX4_25_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GX4_25_EVIDENCE[0];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x17 "filter.external_heading_update" [] GX4_25_EVIDENCE[0];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GX4_25_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_25_EVIDENCE[0];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_25_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX4_25_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX4_25_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX4_25_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX4_25_EVIDENCE[2];
-        0x80 0x08 "sensor.delta_velocity" [] GX4_25_EVIDENCE[2];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_25_EVIDENCE[2];
-        0x80 0x0A "sensor.comp_quaternion" [] GX4_25_EVIDENCE[2];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX4_25_EVIDENCE[2];
-        0x80 0x10 "sensor.north_vector" [] GX4_25_EVIDENCE[2];
-        0x80 0x11 "sensor.up_vector" [] GX4_25_EVIDENCE[2];
-        0x80 0x12 "sensor.gps_timestamp" [] GX4_25_EVIDENCE[2];
-        0x80 0x17 "sensor.scaled_pressure" [] GX4_25_EVIDENCE[1];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_25_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX4_25_EVIDENCE[2];
-        0x82 0x05 "filter_data.euler_angles" [] GX4_25_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX4_25_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_25_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_25_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] GX4_25_EVIDENCE[2];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_25_EVIDENCE[2];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_25_EVIDENCE[2];
-        0x82 0x10 "filter_data.status" [] GX4_25_EVIDENCE[2];
-        0x82 0x11 "filter_data.timestamp" [] GX4_25_EVIDENCE[2];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_25_EVIDENCE[2];
-        0x82 0x13 "filter_data.gravity_vector" [] GX4_25_EVIDENCE[2];
-        0x82 0x14 "filter_data.heading_update_state" [] GX4_25_EVIDENCE[2];
-        0x82 0x15 "filter_data.magnetic_model" [] GX4_25_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] GX4_25_1;
+        0x01 0x02 "base.set_idle" [] GX4_25_1;
+        0x01 0x03 "base.get_device_info" [] GX4_25_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX4_25_1;
+        0x01 0x05 "base.built_in_test" [] GX4_25_1;
+        0x01 0x06 "base.resume" [] GX4_25_2;
+        0x01 0x7E "base.soft_reset" [] GX4_25_3;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX4_25_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX4_25_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_25_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_25_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_25_3;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_25_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_25_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_25_3;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_25_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_25_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0C 0x64 "3dm.device_status" [] GX4_25_1;
+        0x0D 0x01 "filter.reset" [] GX4_25_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX4_25_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GX4_25_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x17 "filter.external_heading_update" [] GX4_25_1;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GX4_25_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_25_1;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX4_25_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_25_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX4_25_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX4_25_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX4_25_1;
+        0x80 0x07 "sensor.delta_theta" [] GX4_25_3;
+        0x80 0x08 "sensor.delta_velocity" [] GX4_25_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_25_3;
+        0x80 0x0A "sensor.comp_quaternion" [] GX4_25_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX4_25_3;
+        0x80 0x10 "sensor.north_vector" [] GX4_25_3;
+        0x80 0x11 "sensor.up_vector" [] GX4_25_3;
+        0x80 0x12 "sensor.gps_timestamp" [] GX4_25_3;
+        0x80 0x17 "sensor.scaled_pressure" [] GX4_25_2;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_25_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX4_25_3;
+        0x82 0x05 "filter_data.euler_angles" [] GX4_25_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX4_25_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_25_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_25_2;
+        0x82 0x0D "filter_data.linear_accel" [] GX4_25_3;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_25_3;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_25_3;
+        0x82 0x10 "filter_data.status" [] GX4_25_3;
+        0x82 0x11 "filter_data.timestamp" [] GX4_25_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_25_3;
+        0x82 0x13 "filter_data.gravity_vector" [] GX4_25_3;
+        0x82 0x14 "filter_data.heading_update_state" [] GX4_25_3;
+        0x82 0x15 "filter_data.magnetic_model" [] GX4_25_3;
     },
     refuses: supported! {
-        0x82 0x07 "filter_data.accel_bias" [] GX4_25_EVIDENCE[3];
+        0x82 0x07 "filter_data.accel_bias" [] GX4_25_4;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -6346,10 +6529,11 @@ pub static GX4_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX4_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." },
-];
+const GX4_45_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX4_45_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." };
 
 /// 3DM-GX4-45
 ///
@@ -6383,95 +6567,95 @@ pub static GX4_45: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX4_45_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX4_45_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX4_45_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX4_45_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX4_45_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX4_45_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] GX4_45_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX4_45_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GX4_45_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX4_45_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_45_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX4_45_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_45_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_45_EVIDENCE[1];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_45_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GX4_45_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GX4_45_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX4_45_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GX4_45_EVIDENCE[0];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x16 "filter.external_gnss_update" [] GX4_45_EVIDENCE[0];
-        0x0D 0x17 "filter.external_heading_update" [] GX4_45_EVIDENCE[0];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GX4_45_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x22 "filter.commanded_zupt" [] GX4_45_EVIDENCE[0];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_45_EVIDENCE[0];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_45_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX4_45_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX4_45_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX4_45_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX4_45_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] GX4_45_EVIDENCE[1];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_45_EVIDENCE[1];
-        0x80 0x0A "sensor.comp_quaternion" [] GX4_45_EVIDENCE[1];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX4_45_EVIDENCE[1];
-        0x80 0x10 "sensor.north_vector" [] GX4_45_EVIDENCE[1];
-        0x80 0x11 "sensor.up_vector" [] GX4_45_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] GX4_45_EVIDENCE[1];
-        0x80 0x17 "sensor.scaled_pressure" [] GX4_45_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] GX4_45_EVIDENCE[0];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX4_45_EVIDENCE[0];
-        0x81 0x09 "gnss_data.gps_time" [] GX4_45_EVIDENCE[0];
-        0x82 0x01 "filter_data.llh_position" [] GX4_45_EVIDENCE[0];
-        0x82 0x02 "filter_data.ned_velocity" [] GX4_45_EVIDENCE[0];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_45_EVIDENCE[1];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX4_45_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] GX4_45_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX4_45_EVIDENCE[1];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_45_EVIDENCE[1];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_45_EVIDENCE[1];
-        0x82 0x0D "filter_data.linear_accel" [] GX4_45_EVIDENCE[1];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_45_EVIDENCE[1];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_45_EVIDENCE[1];
-        0x82 0x10 "filter_data.status" [] GX4_45_EVIDENCE[1];
-        0x82 0x11 "filter_data.timestamp" [] GX4_45_EVIDENCE[1];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_45_EVIDENCE[1];
-        0x82 0x13 "filter_data.gravity_vector" [] GX4_45_EVIDENCE[1];
-        0x82 0x14 "filter_data.heading_update_state" [] GX4_45_EVIDENCE[1];
-        0x82 0x15 "filter_data.magnetic_model" [] GX4_45_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] GX4_45_1;
+        0x01 0x02 "base.set_idle" [] GX4_45_1;
+        0x01 0x03 "base.get_device_info" [] GX4_45_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX4_45_1;
+        0x01 0x05 "base.built_in_test" [] GX4_45_1;
+        0x01 0x06 "base.resume" [] GX4_45_2;
+        0x01 0x7E "base.soft_reset" [] GX4_45_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX4_45_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX4_45_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX4_45_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_45_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX4_45_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX4_45_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX4_45_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX4_45_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX4_45_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX4_45_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX4_45_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_45_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0C 0x64 "3dm.device_status" [] GX4_45_1;
+        0x0D 0x01 "filter.reset" [] GX4_45_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX4_45_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GX4_45_1;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x16 "filter.external_gnss_update" [] GX4_45_1;
+        0x0D 0x17 "filter.external_heading_update" [] GX4_45_1;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GX4_45_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x22 "filter.commanded_zupt" [] GX4_45_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX4_45_1;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX4_45_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX4_45_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX4_45_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX4_45_1;
+        0x80 0x07 "sensor.delta_theta" [] GX4_45_2;
+        0x80 0x08 "sensor.delta_velocity" [] GX4_45_2;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX4_45_2;
+        0x80 0x0A "sensor.comp_quaternion" [] GX4_45_2;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX4_45_2;
+        0x80 0x10 "sensor.north_vector" [] GX4_45_2;
+        0x80 0x11 "sensor.up_vector" [] GX4_45_2;
+        0x80 0x12 "sensor.gps_timestamp" [] GX4_45_2;
+        0x80 0x17 "sensor.scaled_pressure" [] GX4_45_2;
+        0x81 0x03 "gnss_data.llh_position" [] GX4_45_1;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX4_45_1;
+        0x81 0x09 "gnss_data.gps_time" [] GX4_45_1;
+        0x82 0x01 "filter_data.llh_position" [] GX4_45_1;
+        0x82 0x02 "filter_data.ned_velocity" [] GX4_45_1;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX4_45_2;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX4_45_2;
+        0x82 0x05 "filter_data.euler_angles" [] GX4_45_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX4_45_2;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX4_45_2;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX4_45_2;
+        0x82 0x0D "filter_data.linear_accel" [] GX4_45_2;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX4_45_2;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX4_45_2;
+        0x82 0x10 "filter_data.status" [] GX4_45_2;
+        0x82 0x11 "filter_data.timestamp" [] GX4_45_2;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX4_45_2;
+        0x82 0x13 "filter_data.gravity_vector" [] GX4_45_2;
+        0x82 0x14 "filter_data.heading_update_state" [] GX4_45_2;
+        0x82 0x15 "filter_data.magnetic_model" [] GX4_45_2;
     },
     refuses: supported! {
     },
@@ -6538,10 +6722,11 @@ pub static GX4_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_10_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." },
-];
+const GX5_10_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_10_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-GX5-10
 ///
@@ -6571,33 +6756,33 @@ pub static GX5_10: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX5_10_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX5_10_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX5_10_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX5_10_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX5_10_EVIDENCE[1];
-        0x01 0x06 "base.resume" [] GX5_10_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] GX5_10_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_10_EVIDENCE[1];
-        0x01 0x7E "base.soft_reset" [] GX5_10_EVIDENCE[1];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX5_10_EVIDENCE[1];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_10_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[1];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_10_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_10_EVIDENCE[1];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_10_EVIDENCE[1];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_10_EVIDENCE[1];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[1];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[1];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[1];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_10_EVIDENCE[1];
-        0x0C 0x64 "3dm.device_status" [] GX5_10_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] GX5_10_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX5_10_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX5_10_EVIDENCE[1];
-        0x80 0x08 "sensor.delta_velocity" [] GX5_10_EVIDENCE[1];
-        0x80 0x12 "sensor.gps_timestamp" [] GX5_10_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] GX5_10_1;
+        0x01 0x02 "base.set_idle" [] GX5_10_1;
+        0x01 0x03 "base.get_device_info" [] GX5_10_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX5_10_1;
+        0x01 0x05 "base.built_in_test" [] GX5_10_2;
+        0x01 0x06 "base.resume" [] GX5_10_1;
+        0x01 0x07 "base.get_extended_descriptors" [] GX5_10_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_10_2;
+        0x01 0x7E "base.soft_reset" [] GX5_10_2;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX5_10_2;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_10_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_10_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_10_2;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_10_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_10_2;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_10_2;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_10_2;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_10_2;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_10_2;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_10_2;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_10_2;
+        0x0C 0x64 "3dm.device_status" [] GX5_10_2;
+        0x80 0x04 "sensor.scaled_accel" [] GX5_10_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX5_10_1;
+        0x80 0x07 "sensor.delta_theta" [] GX5_10_2;
+        0x80 0x08 "sensor.delta_velocity" [] GX5_10_2;
+        0x80 0x12 "sensor.gps_timestamp" [] GX5_10_2;
     },
     refuses: supported! {
     },
@@ -6634,10 +6819,11 @@ pub static GX5_10: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_15_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 301)." },
-];
+const GX5_15_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const GX5_15_2: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 301)." };
 
 /// 3DM-GX5-15
 ///
@@ -6697,83 +6883,83 @@ pub static GX5_15: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX5_15_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX5_15_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] GX5_15_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX5_15_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX5_15_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] GX5_15_EVIDENCE[0];
-        0x01 0x07 "base.get_extended_descriptors" [] GX5_15_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_15_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] GX5_15_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX5_15_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX5_15_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_15_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_15_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_15_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_15_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_15_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GX5_15_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GX5_15_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX5_15_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] GX5_15_EVIDENCE[0];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x17 "filter.external_heading_update" [] GX5_15_EVIDENCE[0];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_15_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_15_EVIDENCE[0];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_15_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX5_15_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX5_15_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX5_15_EVIDENCE[0];
-        0x80 0x08 "sensor.delta_velocity" [] GX5_15_EVIDENCE[0];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_15_EVIDENCE[0];
-        0x80 0x0A "sensor.comp_quaternion" [] GX5_15_EVIDENCE[0];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX5_15_EVIDENCE[0];
-        0x80 0x10 "sensor.north_vector" [] GX5_15_EVIDENCE[0];
-        0x80 0x11 "sensor.up_vector" [] GX5_15_EVIDENCE[0];
-        0x80 0x12 "sensor.gps_timestamp" [] GX5_15_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] GX5_15_EVIDENCE[0];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_15_EVIDENCE[0];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX5_15_EVIDENCE[0];
-        0x82 0x05 "filter_data.euler_angles" [] GX5_15_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX5_15_EVIDENCE[0];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_15_EVIDENCE[0];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_15_EVIDENCE[0];
-        0x82 0x0D "filter_data.linear_accel" [] GX5_15_EVIDENCE[0];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_15_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_15_EVIDENCE[0];
-        0x82 0x10 "filter_data.status" [] GX5_15_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] GX5_15_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_15_EVIDENCE[0];
-        0x82 0x13 "filter_data.gravity_vector" [] GX5_15_EVIDENCE[0];
-        0x82 0x14 "filter_data.heading_update_state" [] GX5_15_EVIDENCE[0];
-        0x82 0x1C "filter_data.comp_accel" [] GX5_15_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] GX5_15_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] GX5_15_1;
+        0x01 0x02 "base.set_idle" [] GX5_15_1;
+        0x01 0x03 "base.get_device_info" [] GX5_15_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX5_15_1;
+        0x01 0x05 "base.built_in_test" [] GX5_15_1;
+        0x01 0x06 "base.resume" [] GX5_15_1;
+        0x01 0x07 "base.get_extended_descriptors" [] GX5_15_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_15_1;
+        0x01 0x7E "base.soft_reset" [] GX5_15_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX5_15_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX5_15_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_15_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_15_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_15_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_15_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_15_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0C 0x64 "3dm.device_status" [] GX5_15_1;
+        0x0D 0x01 "filter.reset" [] GX5_15_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX5_15_1;
+        0x0D 0x03 "filter.set_initial_heading" [] GX5_15_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x17 "filter.external_heading_update" [] GX5_15_1;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_15_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_15_1;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_15_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX5_15_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX5_15_1;
+        0x80 0x07 "sensor.delta_theta" [] GX5_15_1;
+        0x80 0x08 "sensor.delta_velocity" [] GX5_15_1;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_15_1;
+        0x80 0x0A "sensor.comp_quaternion" [] GX5_15_1;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX5_15_1;
+        0x80 0x10 "sensor.north_vector" [] GX5_15_1;
+        0x80 0x11 "sensor.up_vector" [] GX5_15_1;
+        0x80 0x12 "sensor.gps_timestamp" [] GX5_15_1;
+        0x80 0x17 "sensor.scaled_pressure" [] GX5_15_1;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_15_1;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX5_15_1;
+        0x82 0x05 "filter_data.euler_angles" [] GX5_15_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX5_15_1;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_15_1;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_15_1;
+        0x82 0x0D "filter_data.linear_accel" [] GX5_15_1;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_15_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_15_1;
+        0x82 0x10 "filter_data.status" [] GX5_15_1;
+        0x82 0x11 "filter_data.timestamp" [] GX5_15_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_15_1;
+        0x82 0x13 "filter_data.gravity_vector" [] GX5_15_1;
+        0x82 0x14 "filter_data.heading_update_state" [] GX5_15_1;
+        0x82 0x1C "filter_data.comp_accel" [] GX5_15_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] GX5_15_1;
     },
     refuses: supported! {
-        0x80 0x01 "sensor.raw_accel" [] GX5_15_EVIDENCE[1];
-        0x80 0x02 "sensor.raw_gyro" [] GX5_15_EVIDENCE[1];
+        0x80 0x01 "sensor.raw_accel" [] GX5_15_2;
+        0x80 0x02 "sensor.raw_gyro" [] GX5_15_2;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -6934,18 +7120,35 @@ pub static GX5_15: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_25_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Conditions by model)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
-    Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 238)." },
-    Evidence { answer: Support::No, why: "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368)." },
-    Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200)." },
-];
+const GX5_25_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
+#[rustfmt::skip]
+const GX5_25_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const GX5_25_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_25_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." };
+#[rustfmt::skip]
+const GX5_25_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Conditions by model)." };
+#[rustfmt::skip]
+const GX5_25_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_25_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+#[rustfmt::skip]
+const GX5_25_8: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 238)." };
+#[rustfmt::skip]
+const GX5_25_9: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368)." };
+#[rustfmt::skip]
+const GX5_25_10: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200)." };
 
 /// 3DM-GX5-25
 ///
@@ -6974,114 +7177,114 @@ pub static GX5_25: Profile = Profile {
         "Its manual (8500-0065) is not known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX5_25_EVIDENCE[1];
-        0x01 0x02 "base.set_idle" [] GX5_25_EVIDENCE[1];
-        0x01 0x03 "base.get_device_info" [] GX5_25_EVIDENCE[2];
-        0x01 0x04 "base.get_device_descriptors" [] GX5_25_EVIDENCE[5];
-        0x01 0x05 "base.built_in_test" [] GX5_25_EVIDENCE[6];
-        0x01 0x06 "base.resume" [] GX5_25_EVIDENCE[1];
-        0x01 0x07 "base.get_extended_descriptors" [] GX5_25_EVIDENCE[5];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_25_EVIDENCE[6];
-        0x01 0x7E "base.soft_reset" [] GX5_25_EVIDENCE[6];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX5_25_EVIDENCE[6];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX5_25_EVIDENCE[6];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_25_EVIDENCE[1];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[1];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[1];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_25_EVIDENCE[1];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_25_EVIDENCE[1];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_EVIDENCE[3];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_EVIDENCE[3];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_25_EVIDENCE[1];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_EVIDENCE[3];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_EVIDENCE[3];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0C 0x64 "3dm.device_status" [] GX5_25_EVIDENCE[3];
-        0x0D 0x01 "filter.reset" [] GX5_25_EVIDENCE[2];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX5_25_EVIDENCE[3];
-        0x0D 0x03 "filter.set_initial_heading" [] GX5_25_EVIDENCE[3];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x17 "filter.external_heading_update" [] GX5_25_EVIDENCE[6];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[2];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_25_EVIDENCE[6];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_25_EVIDENCE[6];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] GX5_25_EVIDENCE[6];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[4];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[4];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[6];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[3];
-        0x80 0x04 "sensor.scaled_accel" [] GX5_25_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX5_25_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX5_25_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX5_25_EVIDENCE[0];
-        0x80 0x08 "sensor.delta_velocity" [] GX5_25_EVIDENCE[0];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_25_EVIDENCE[0];
-        0x80 0x0A "sensor.comp_quaternion" [] GX5_25_EVIDENCE[0];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX5_25_EVIDENCE[0];
-        0x80 0x10 "sensor.north_vector" [] GX5_25_EVIDENCE[0];
-        0x80 0x11 "sensor.up_vector" [] GX5_25_EVIDENCE[0];
-        0x80 0x12 "sensor.gps_timestamp" [] GX5_25_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] GX5_25_EVIDENCE[0];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_25_EVIDENCE[0];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX5_25_EVIDENCE[0];
-        0x82 0x05 "filter_data.euler_angles" [] GX5_25_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX5_25_EVIDENCE[0];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_25_EVIDENCE[0];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_25_EVIDENCE[0];
-        0x82 0x0D "filter_data.linear_accel" [] GX5_25_EVIDENCE[0];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_25_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_25_EVIDENCE[0];
-        0x82 0x10 "filter_data.status" [] GX5_25_EVIDENCE[0];
-        0x82 0x11 "filter_data.timestamp" [] GX5_25_EVIDENCE[0];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_25_EVIDENCE[0];
-        0x82 0x13 "filter_data.gravity_vector" [] GX5_25_EVIDENCE[0];
-        0x82 0x14 "filter_data.heading_update_state" [] GX5_25_EVIDENCE[0];
-        0x82 0x15 "filter_data.magnetic_model" [] GX5_25_EVIDENCE[0];
-        0x82 0x1C "filter_data.comp_accel" [] GX5_25_EVIDENCE[0];
-        0x82 0x21 "filter_data.pressure_altitude" [] GX5_25_EVIDENCE[0];
-        0x82 0x25 "filter_data.mag_offset" [] GX5_25_EVIDENCE[0];
-        0x82 0x26 "filter_data.mag_matrix" [] GX5_25_EVIDENCE[0];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX5_25_EVIDENCE[0];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_25_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] GX5_25_2;
+        0x01 0x02 "base.set_idle" [] GX5_25_2;
+        0x01 0x03 "base.get_device_info" [] GX5_25_3;
+        0x01 0x04 "base.get_device_descriptors" [] GX5_25_6;
+        0x01 0x05 "base.built_in_test" [] GX5_25_7;
+        0x01 0x06 "base.resume" [] GX5_25_2;
+        0x01 0x07 "base.get_extended_descriptors" [] GX5_25_6;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_25_7;
+        0x01 0x7E "base.soft_reset" [] GX5_25_7;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX5_25_7;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX5_25_7;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_25_2;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_25_2;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_25_2;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_25_2;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_25_2;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_4;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_4;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_25_2;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_4;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_25_4;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0C 0x64 "3dm.device_status" [] GX5_25_4;
+        0x0D 0x01 "filter.reset" [] GX5_25_3;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX5_25_4;
+        0x0D 0x03 "filter.set_initial_heading" [] GX5_25_4;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_25_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x17 "filter.external_heading_update" [] GX5_25_7;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_25_3;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_25_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_25_7;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_25_7;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] GX5_25_7;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_25_5;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_5;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_25_7;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_25_4;
+        0x80 0x04 "sensor.scaled_accel" [] GX5_25_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX5_25_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX5_25_1;
+        0x80 0x07 "sensor.delta_theta" [] GX5_25_1;
+        0x80 0x08 "sensor.delta_velocity" [] GX5_25_1;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_25_1;
+        0x80 0x0A "sensor.comp_quaternion" [] GX5_25_1;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX5_25_1;
+        0x80 0x10 "sensor.north_vector" [] GX5_25_1;
+        0x80 0x11 "sensor.up_vector" [] GX5_25_1;
+        0x80 0x12 "sensor.gps_timestamp" [] GX5_25_1;
+        0x80 0x17 "sensor.scaled_pressure" [] GX5_25_1;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_25_1;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX5_25_1;
+        0x82 0x05 "filter_data.euler_angles" [] GX5_25_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX5_25_1;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_25_1;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_25_1;
+        0x82 0x0D "filter_data.linear_accel" [] GX5_25_1;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_25_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_25_1;
+        0x82 0x10 "filter_data.status" [] GX5_25_1;
+        0x82 0x11 "filter_data.timestamp" [] GX5_25_1;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_25_1;
+        0x82 0x13 "filter_data.gravity_vector" [] GX5_25_1;
+        0x82 0x14 "filter_data.heading_update_state" [] GX5_25_1;
+        0x82 0x15 "filter_data.magnetic_model" [] GX5_25_1;
+        0x82 0x1C "filter_data.comp_accel" [] GX5_25_1;
+        0x82 0x21 "filter_data.pressure_altitude" [] GX5_25_1;
+        0x82 0x25 "filter_data.mag_offset" [] GX5_25_1;
+        0x82 0x26 "filter_data.mag_matrix" [] GX5_25_1;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX5_25_1;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_25_1;
     },
     refuses: supported! {
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GX5_25_EVIDENCE[7];
-        0x80 0x18 "sensor.overrange_status" [] GX5_25_EVIDENCE[8];
-        0x81 0x03 "gnss_data.llh_position" [] GX5_25_EVIDENCE[7];
-        0x81 0x0B "gnss_data.fix_info" [] GX5_25_EVIDENCE[7];
-        0x82 0x01 "filter_data.llh_position" [] GX5_25_EVIDENCE[8];
-        0x82 0x02 "filter_data.ned_velocity" [] GX5_25_EVIDENCE[9];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX5_25_EVIDENCE[8];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GX5_25_EVIDENCE[7];
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_25_EVIDENCE[7];
-        0x91 0x03 "gnss_1.llh_position" [] GX5_25_EVIDENCE[7];
-        0x91 0x0B "gnss_1.fix_info" [] GX5_25_EVIDENCE[7];
-        0x92 0x0B "gnss_2.fix_info" [] GX5_25_EVIDENCE[8];
-        0x92 0x12 "gnss_2.sbas_info" [] GX5_25_EVIDENCE[8];
-        0x92 0x14 "gnss_2.rf_error_detection" [] GX5_25_EVIDENCE[8];
-        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GX5_25_EVIDENCE[7];
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] GX5_25_8;
+        0x80 0x18 "sensor.overrange_status" [] GX5_25_9;
+        0x81 0x03 "gnss_data.llh_position" [] GX5_25_8;
+        0x81 0x0B "gnss_data.fix_info" [] GX5_25_8;
+        0x82 0x01 "filter_data.llh_position" [] GX5_25_9;
+        0x82 0x02 "filter_data.ned_velocity" [] GX5_25_10;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX5_25_9;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] GX5_25_8;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] GX5_25_8;
+        0x91 0x03 "gnss_1.llh_position" [] GX5_25_8;
+        0x91 0x0B "gnss_1.fix_info" [] GX5_25_8;
+        0x92 0x0B "gnss_2.fix_info" [] GX5_25_9;
+        0x92 0x12 "gnss_2.sbas_info" [] GX5_25_9;
+        0x92 0x14 "gnss_2.rf_error_detection" [] GX5_25_9;
+        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] GX5_25_8;
     },
     base_rates: &[
     ],
@@ -7136,11 +7339,14 @@ pub static GX5_25: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_35_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." },
-];
+const GX5_35_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const GX5_35_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_35_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-GX5-35
 ///
@@ -7180,63 +7386,63 @@ pub static GX5_35: Profile = Profile {
         "Only some pages of the manual are known, so it has more commands and data.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX5_35_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] GX5_35_EVIDENCE[1];
-        0x01 0x03 "base.get_device_info" [] GX5_35_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX5_35_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] GX5_35_EVIDENCE[2];
-        0x01 0x06 "base.resume" [] GX5_35_EVIDENCE[1];
-        0x01 0x07 "base.get_extended_descriptors" [] GX5_35_EVIDENCE[0];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_35_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] GX5_35_EVIDENCE[2];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX5_35_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_35_EVIDENCE[2];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_35_EVIDENCE[1];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_35_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] GX5_35_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_EVIDENCE[2];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_35_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_EVIDENCE[2];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[2];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[2];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[2];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] GX5_35_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_35_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX5_35_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX5_35_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX5_35_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX5_35_EVIDENCE[0];
-        0x80 0x08 "sensor.delta_velocity" [] GX5_35_EVIDENCE[2];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_35_EVIDENCE[2];
-        0x80 0x0A "sensor.comp_quaternion" [] GX5_35_EVIDENCE[2];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX5_35_EVIDENCE[2];
-        0x80 0x10 "sensor.north_vector" [] GX5_35_EVIDENCE[2];
-        0x80 0x11 "sensor.up_vector" [] GX5_35_EVIDENCE[0];
-        0x80 0x12 "sensor.gps_timestamp" [] GX5_35_EVIDENCE[0];
-        0x80 0x17 "sensor.scaled_pressure" [] GX5_35_EVIDENCE[0];
-        0x81 0x03 "gnss_data.llh_position" [] GX5_35_EVIDENCE[2];
-        0x81 0x04 "gnss_data.ecef_position" [] GX5_35_EVIDENCE[2];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX5_35_EVIDENCE[2];
-        0x81 0x06 "gnss_data.ecef_velocity" [] GX5_35_EVIDENCE[0];
-        0x81 0x07 "gnss_data.dop" [] GX5_35_EVIDENCE[2];
-        0x81 0x08 "gnss_data.utc_time" [] GX5_35_EVIDENCE[2];
-        0x81 0x09 "gnss_data.gps_time" [] GX5_35_EVIDENCE[2];
-        0x81 0x0A "gnss_data.clock_info" [] GX5_35_EVIDENCE[2];
-        0x81 0x0B "gnss_data.fix_info" [] GX5_35_EVIDENCE[2];
-        0x81 0x0C "gnss_data.sv_info" [] GX5_35_EVIDENCE[2];
-        0x81 0x0D "gnss_data.hardware_status" [] GX5_35_EVIDENCE[2];
-        0x81 0x0E "gnss_data.dgps_info" [] GX5_35_EVIDENCE[0];
-        0x81 0x0F "gnss_data.dgps_channel" [] GX5_35_EVIDENCE[2];
+        0x01 0x01 "base.ping" [] GX5_35_1;
+        0x01 0x02 "base.set_idle" [] GX5_35_2;
+        0x01 0x03 "base.get_device_info" [] GX5_35_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX5_35_1;
+        0x01 0x05 "base.built_in_test" [] GX5_35_3;
+        0x01 0x06 "base.resume" [] GX5_35_2;
+        0x01 0x07 "base.get_extended_descriptors" [] GX5_35_1;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_35_1;
+        0x01 0x7E "base.soft_reset" [] GX5_35_3;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX5_35_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_35_3;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_35_2;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_35_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] GX5_35_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_3;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_35_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_3;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_35_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_35_3;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_35_3;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_35_3;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x0C 0x64 "3dm.device_status" [] GX5_35_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_35_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX5_35_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX5_35_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX5_35_1;
+        0x80 0x07 "sensor.delta_theta" [] GX5_35_1;
+        0x80 0x08 "sensor.delta_velocity" [] GX5_35_3;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_35_3;
+        0x80 0x0A "sensor.comp_quaternion" [] GX5_35_3;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX5_35_3;
+        0x80 0x10 "sensor.north_vector" [] GX5_35_3;
+        0x80 0x11 "sensor.up_vector" [] GX5_35_1;
+        0x80 0x12 "sensor.gps_timestamp" [] GX5_35_1;
+        0x80 0x17 "sensor.scaled_pressure" [] GX5_35_1;
+        0x81 0x03 "gnss_data.llh_position" [] GX5_35_3;
+        0x81 0x04 "gnss_data.ecef_position" [] GX5_35_3;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX5_35_3;
+        0x81 0x06 "gnss_data.ecef_velocity" [] GX5_35_1;
+        0x81 0x07 "gnss_data.dop" [] GX5_35_3;
+        0x81 0x08 "gnss_data.utc_time" [] GX5_35_3;
+        0x81 0x09 "gnss_data.gps_time" [] GX5_35_3;
+        0x81 0x0A "gnss_data.clock_info" [] GX5_35_3;
+        0x81 0x0B "gnss_data.fix_info" [] GX5_35_3;
+        0x81 0x0C "gnss_data.sv_info" [] GX5_35_3;
+        0x81 0x0D "gnss_data.hardware_status" [] GX5_35_3;
+        0x81 0x0E "gnss_data.dgps_info" [] GX5_35_1;
+        0x81 0x0F "gnss_data.dgps_channel" [] GX5_35_3;
     },
     refuses: supported! {
     },
@@ -7321,19 +7527,38 @@ pub static GX5_35: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const GX5_45_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Yes, why: "Its manual has it (LORD 3DM-GX5-45 DCP Manual: Single pages)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-    Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." },
-    Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." },
-    Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 43)." },
-];
+const GX5_45_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const GX5_45_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages)." };
+#[rustfmt::skip]
+const GX5_45_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+#[rustfmt::skip]
+const GX5_45_4: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_45_5: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." };
+#[rustfmt::skip]
+const GX5_45_6: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+#[rustfmt::skip]
+const GX5_45_7: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+#[rustfmt::skip]
+const GX5_45_8: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+#[rustfmt::skip]
+const GX5_45_9: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35." };
+#[rustfmt::skip]
+const GX5_45_10: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+#[rustfmt::skip]
+const GX5_45_11: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 43)." };
 
 /// 3DM-GX5-45
 ///
@@ -7383,135 +7608,135 @@ pub static GX5_45: Profile = Profile {
         "Only four fields of the filter data are listed; the manual has 27 or more.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] GX5_45_EVIDENCE[2];
-        0x01 0x02 "base.set_idle" [] GX5_45_EVIDENCE[2];
-        0x01 0x03 "base.get_device_info" [] GX5_45_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] GX5_45_EVIDENCE[7];
-        0x01 0x05 "base.built_in_test" [] GX5_45_EVIDENCE[8];
-        0x01 0x06 "base.resume" [] GX5_45_EVIDENCE[1];
-        0x01 0x07 "base.get_extended_descriptors" [] GX5_45_EVIDENCE[1];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_45_EVIDENCE[8];
-        0x01 0x7E "base.soft_reset" [] GX5_45_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] GX5_45_EVIDENCE[8];
-        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_45_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] GX5_45_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_45_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_45_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_45_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[4];
-        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX5_45_EVIDENCE[0];
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[8];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[8];
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[8];
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] GX5_45_EVIDENCE[8];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_EVIDENCE[4];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_EVIDENCE[4];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_45_EVIDENCE[3];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_EVIDENCE[4];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[4];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[8];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[4];
-        0x0C 0x64 "3dm.device_status" [] GX5_45_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] GX5_45_EVIDENCE[2];
-        0x0D 0x02 "filter.set_initial_attitude" [] GX5_45_EVIDENCE[4];
-        0x0D 0x03 "filter.set_initial_heading" [] GX5_45_EVIDENCE[0];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x16 "filter.external_gnss_update" [] GX5_45_EVIDENCE[0];
-        0x0D 0x17 "filter.external_heading_update" [] GX5_45_EVIDENCE[0];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_45_EVIDENCE[0];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x22 "filter.commanded_zupt" [] GX5_45_EVIDENCE[0];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_45_EVIDENCE[0];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[4];
-        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] GX5_45_EVIDENCE[0];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[5];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_45_EVIDENCE[0];
-        0x80 0x04 "sensor.scaled_accel" [] GX5_45_EVIDENCE[0];
-        0x80 0x05 "sensor.scaled_gyro" [] GX5_45_EVIDENCE[0];
-        0x80 0x06 "sensor.scaled_mag" [] GX5_45_EVIDENCE[0];
-        0x80 0x07 "sensor.delta_theta" [] GX5_45_EVIDENCE[8];
-        0x80 0x08 "sensor.delta_velocity" [] GX5_45_EVIDENCE[8];
-        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_45_EVIDENCE[8];
-        0x80 0x0A "sensor.comp_quaternion" [] GX5_45_EVIDENCE[6];
-        0x80 0x0C "sensor.comp_euler_angles" [] GX5_45_EVIDENCE[8];
-        0x80 0x10 "sensor.north_vector" [] GX5_45_EVIDENCE[8];
-        0x80 0x11 "sensor.up_vector" [] GX5_45_EVIDENCE[8];
-        0x80 0x12 "sensor.gps_timestamp" [] GX5_45_EVIDENCE[2];
-        0x80 0x17 "sensor.scaled_pressure" [] GX5_45_EVIDENCE[6];
-        0x81 0x03 "gnss_data.llh_position" [] GX5_45_EVIDENCE[6];
-        0x81 0x04 "gnss_data.ecef_position" [] GX5_45_EVIDENCE[8];
-        0x81 0x05 "gnss_data.ned_velocity" [] GX5_45_EVIDENCE[6];
-        0x81 0x06 "gnss_data.ecef_velocity" [] GX5_45_EVIDENCE[8];
-        0x81 0x07 "gnss_data.dop" [] GX5_45_EVIDENCE[6];
-        0x81 0x08 "gnss_data.utc_time" [] GX5_45_EVIDENCE[8];
-        0x81 0x09 "gnss_data.gps_time" [] GX5_45_EVIDENCE[8];
-        0x81 0x0A "gnss_data.clock_info" [] GX5_45_EVIDENCE[8];
-        0x81 0x0B "gnss_data.fix_info" [] GX5_45_EVIDENCE[2];
-        0x81 0x0C "gnss_data.sv_info" [] GX5_45_EVIDENCE[0];
-        0x81 0x0D "gnss_data.hardware_status" [] GX5_45_EVIDENCE[0];
-        0x81 0x0E "gnss_data.dgps_info" [] GX5_45_EVIDENCE[0];
-        0x81 0x0F "gnss_data.dgps_channel" [] GX5_45_EVIDENCE[0];
-        0x82 0x01 "filter_data.llh_position" [] GX5_45_EVIDENCE[2];
-        0x82 0x02 "filter_data.ned_velocity" [] GX5_45_EVIDENCE[2];
-        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_45_EVIDENCE[6];
-        0x82 0x04 "filter_data.attitude_dcm" [] GX5_45_EVIDENCE[0];
-        0x82 0x05 "filter_data.euler_angles" [] GX5_45_EVIDENCE[0];
-        0x82 0x06 "filter_data.gyro_bias" [] GX5_45_EVIDENCE[9];
-        0x82 0x07 "filter_data.accel_bias" [] GX5_45_EVIDENCE[9];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x0D "filter_data.linear_accel" [] GX5_45_EVIDENCE[9];
-        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_45_EVIDENCE[0];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_45_EVIDENCE[9];
-        0x82 0x10 "filter_data.status" [] GX5_45_EVIDENCE[2];
-        0x82 0x11 "filter_data.timestamp" [] GX5_45_EVIDENCE[2];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x13 "filter_data.gravity_vector" [] GX5_45_EVIDENCE[9];
-        0x82 0x14 "filter_data.heading_update_state" [] GX5_45_EVIDENCE[0];
-        0x82 0x15 "filter_data.magnetic_model" [] GX5_45_EVIDENCE[9];
-        0x82 0x1C "filter_data.comp_accel" [] GX5_45_EVIDENCE[9];
-        0x82 0x20 "filter_data.standard_atmosphere" [] GX5_45_EVIDENCE[9];
-        0x82 0x21 "filter_data.pressure_altitude" [] GX5_45_EVIDENCE[9];
-        0x82 0x25 "filter_data.mag_offset" [] GX5_45_EVIDENCE[9];
-        0x82 0x26 "filter_data.mag_matrix" [] GX5_45_EVIDENCE[9];
-        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX5_45_EVIDENCE[9];
-        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_45_EVIDENCE[9];
+        0x01 0x01 "base.ping" [] GX5_45_3;
+        0x01 0x02 "base.set_idle" [] GX5_45_3;
+        0x01 0x03 "base.get_device_info" [] GX5_45_1;
+        0x01 0x04 "base.get_device_descriptors" [] GX5_45_8;
+        0x01 0x05 "base.built_in_test" [] GX5_45_9;
+        0x01 0x06 "base.resume" [] GX5_45_2;
+        0x01 0x07 "base.get_extended_descriptors" [] GX5_45_2;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] GX5_45_9;
+        0x01 0x7E "base.soft_reset" [] GX5_45_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] GX5_45_9;
+        0x0C 0x02 "3dm.poll_gnss_data" [] GX5_45_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] GX5_45_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] GX5_45_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] GX5_45_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] GX5_45_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_5;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] GX5_45_1;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_45_9;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] GX5_45_9;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] GX5_45_9;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] GX5_45_9;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] GX5_45_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_5;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_5;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] GX5_45_4;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] GX5_45_5;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] GX5_45_5;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_45_9;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] GX5_45_5;
+        0x0C 0x64 "3dm.device_status" [] GX5_45_1;
+        0x0D 0x01 "filter.reset" [] GX5_45_3;
+        0x0D 0x02 "filter.set_initial_attitude" [] GX5_45_5;
+        0x0D 0x03 "filter.set_initial_heading" [] GX5_45_1;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x16 "filter.external_gnss_update" [] GX5_45_1;
+        0x0D 0x17 "filter.external_heading_update" [] GX5_45_1;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] GX5_45_1;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x22 "filter.commanded_zupt" [] GX5_45_1;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] GX5_45_1;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] GX5_45_5;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] GX5_45_1;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] GX5_45_6;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] GX5_45_1;
+        0x80 0x04 "sensor.scaled_accel" [] GX5_45_1;
+        0x80 0x05 "sensor.scaled_gyro" [] GX5_45_1;
+        0x80 0x06 "sensor.scaled_mag" [] GX5_45_1;
+        0x80 0x07 "sensor.delta_theta" [] GX5_45_9;
+        0x80 0x08 "sensor.delta_velocity" [] GX5_45_9;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] GX5_45_9;
+        0x80 0x0A "sensor.comp_quaternion" [] GX5_45_7;
+        0x80 0x0C "sensor.comp_euler_angles" [] GX5_45_9;
+        0x80 0x10 "sensor.north_vector" [] GX5_45_9;
+        0x80 0x11 "sensor.up_vector" [] GX5_45_9;
+        0x80 0x12 "sensor.gps_timestamp" [] GX5_45_3;
+        0x80 0x17 "sensor.scaled_pressure" [] GX5_45_7;
+        0x81 0x03 "gnss_data.llh_position" [] GX5_45_7;
+        0x81 0x04 "gnss_data.ecef_position" [] GX5_45_9;
+        0x81 0x05 "gnss_data.ned_velocity" [] GX5_45_7;
+        0x81 0x06 "gnss_data.ecef_velocity" [] GX5_45_9;
+        0x81 0x07 "gnss_data.dop" [] GX5_45_7;
+        0x81 0x08 "gnss_data.utc_time" [] GX5_45_9;
+        0x81 0x09 "gnss_data.gps_time" [] GX5_45_9;
+        0x81 0x0A "gnss_data.clock_info" [] GX5_45_9;
+        0x81 0x0B "gnss_data.fix_info" [] GX5_45_3;
+        0x81 0x0C "gnss_data.sv_info" [] GX5_45_1;
+        0x81 0x0D "gnss_data.hardware_status" [] GX5_45_1;
+        0x81 0x0E "gnss_data.dgps_info" [] GX5_45_1;
+        0x81 0x0F "gnss_data.dgps_channel" [] GX5_45_1;
+        0x82 0x01 "filter_data.llh_position" [] GX5_45_3;
+        0x82 0x02 "filter_data.ned_velocity" [] GX5_45_3;
+        0x82 0x03 "filter_data.attitude_quaternion" [] GX5_45_7;
+        0x82 0x04 "filter_data.attitude_dcm" [] GX5_45_1;
+        0x82 0x05 "filter_data.euler_angles" [] GX5_45_1;
+        0x82 0x06 "filter_data.gyro_bias" [] GX5_45_10;
+        0x82 0x07 "filter_data.accel_bias" [] GX5_45_10;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] GX5_45_10;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] GX5_45_10;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] GX5_45_10;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] GX5_45_10;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] GX5_45_10;
+        0x82 0x0D "filter_data.linear_accel" [] GX5_45_10;
+        0x82 0x0E "filter_data.comp_angular_rate" [] GX5_45_1;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] GX5_45_10;
+        0x82 0x10 "filter_data.status" [] GX5_45_3;
+        0x82 0x11 "filter_data.timestamp" [] GX5_45_3;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] GX5_45_10;
+        0x82 0x13 "filter_data.gravity_vector" [] GX5_45_10;
+        0x82 0x14 "filter_data.heading_update_state" [] GX5_45_1;
+        0x82 0x15 "filter_data.magnetic_model" [] GX5_45_10;
+        0x82 0x1C "filter_data.comp_accel" [] GX5_45_10;
+        0x82 0x20 "filter_data.standard_atmosphere" [] GX5_45_10;
+        0x82 0x21 "filter_data.pressure_altitude" [] GX5_45_10;
+        0x82 0x25 "filter_data.mag_offset" [] GX5_45_10;
+        0x82 0x26 "filter_data.mag_matrix" [] GX5_45_10;
+        0x82 0x28 "filter_data.mag_offset_uncertainty" [] GX5_45_10;
+        0x82 0x29 "filter_data.mag_matrix_uncertainty" [] GX5_45_10;
     },
     refuses: supported! {
-        0x80 0x01 "sensor.raw_accel" [] GX5_45_EVIDENCE[10];
+        0x80 0x01 "sensor.raw_accel" [] GX5_45_11;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 500.0 },
@@ -7620,9 +7845,8 @@ pub static GX5_45: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const MV5_AR_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-];
+const MV5_AR_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-MV5-AR
 ///
@@ -7656,12 +7880,12 @@ pub static MV5_AR: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] MV5_AR_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] MV5_AR_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] MV5_AR_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] MV5_AR_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] MV5_AR_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] MV5_AR_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] MV5_AR_1;
+        0x01 0x02 "base.set_idle" [] MV5_AR_1;
+        0x01 0x03 "base.get_device_info" [] MV5_AR_1;
+        0x01 0x04 "base.get_device_descriptors" [] MV5_AR_1;
+        0x01 0x06 "base.resume" [] MV5_AR_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] MV5_AR_1;
     },
     refuses: supported! {
     },
@@ -7688,10 +7912,11 @@ pub static MV5_AR: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RQ1_45_LT_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." },
-];
+const RQ1_45_LT_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const RQ1_45_LT_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
 
 /// 3DM-RQ1-45-LT
 ///
@@ -7736,72 +7961,72 @@ pub static RQ1_45_LT: Profile = Profile {
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] RQ1_45_LT_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] RQ1_45_LT_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] RQ1_45_LT_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] RQ1_45_LT_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] RQ1_45_LT_EVIDENCE[0];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x16 "filter.external_gnss_update" [] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x22 "filter.commanded_zupt" [] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] RQ1_45_LT_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] RQ1_45_LT_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] RQ1_45_LT_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] RQ1_45_LT_EVIDENCE[1];
-        0x81 0x05 "gnss_data.ned_velocity" [] RQ1_45_LT_EVIDENCE[1];
-        0x81 0x09 "gnss_data.gps_time" [] RQ1_45_LT_EVIDENCE[1];
-        0x82 0x01 "filter_data.llh_position" [] RQ1_45_LT_EVIDENCE[1];
-        0x82 0x02 "filter_data.ned_velocity" [] RQ1_45_LT_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] RQ1_45_LT_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] RQ1_45_LT_1;
+        0x01 0x02 "base.set_idle" [] RQ1_45_LT_1;
+        0x01 0x03 "base.get_device_info" [] RQ1_45_LT_1;
+        0x01 0x04 "base.get_device_descriptors" [] RQ1_45_LT_1;
+        0x01 0x05 "base.built_in_test" [] RQ1_45_LT_1;
+        0x01 0x06 "base.resume" [] RQ1_45_LT_1;
+        0x01 0x7E "base.soft_reset" [] RQ1_45_LT_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] RQ1_45_LT_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] RQ1_45_LT_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] RQ1_45_LT_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_45_LT_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] RQ1_45_LT_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] RQ1_45_LT_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] RQ1_45_LT_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] RQ1_45_LT_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_LT_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_1;
+        0x0C 0x64 "3dm.device_status" [] RQ1_45_LT_1;
+        0x0D 0x01 "filter.reset" [] RQ1_45_LT_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] RQ1_45_LT_1;
+        0x0D 0x03 "filter.set_initial_heading" [] RQ1_45_LT_1;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x16 "filter.external_gnss_update" [] RQ1_45_LT_2;
+        0x0D 0x17 "filter.external_heading_update" [] RQ1_45_LT_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] RQ1_45_LT_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x22 "filter.commanded_zupt" [] RQ1_45_LT_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] RQ1_45_LT_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_LT_2;
+        0x80 0x04 "sensor.scaled_accel" [] RQ1_45_LT_2;
+        0x80 0x05 "sensor.scaled_gyro" [] RQ1_45_LT_2;
+        0x80 0x06 "sensor.scaled_mag" [] RQ1_45_LT_2;
+        0x81 0x03 "gnss_data.llh_position" [] RQ1_45_LT_2;
+        0x81 0x05 "gnss_data.ned_velocity" [] RQ1_45_LT_2;
+        0x81 0x09 "gnss_data.gps_time" [] RQ1_45_LT_2;
+        0x82 0x01 "filter_data.llh_position" [] RQ1_45_LT_2;
+        0x82 0x02 "filter_data.ned_velocity" [] RQ1_45_LT_2;
+        0x82 0x05 "filter_data.euler_angles" [] RQ1_45_LT_2;
     },
     refuses: supported! {
     },
@@ -7853,10 +8078,11 @@ pub static RQ1_45_LT: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RQ1_45_ST_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Yes, why: "Its manual has it." },
-    Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT." },
-];
+const RQ1_45_ST_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const RQ1_45_ST_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT." };
 
 /// 3DM-RQ1-45-ST
 ///
@@ -7901,72 +8127,72 @@ pub static RQ1_45_ST: Profile = Profile {
         "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] RQ1_45_ST_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x01 "3dm.poll_imu_data" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x02 "3dm.poll_gnss_data" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x03 "3dm.poll_filter_data" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x07 "3dm.get_gnss_base_rate" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x0B "3dm.get_filter_base_rate" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x39 "3dm.capture_gyro_bias" [] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[0];
-        0x0C 0x64 "3dm.device_status" [] RQ1_45_ST_EVIDENCE[0];
-        0x0D 0x01 "filter.reset" [] RQ1_45_ST_EVIDENCE[0];
-        0x0D 0x02 "filter.set_initial_attitude" [] RQ1_45_ST_EVIDENCE[0];
-        0x0D 0x03 "filter.set_initial_heading" [] RQ1_45_ST_EVIDENCE[0];
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x16 "filter.external_gnss_update" [] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x17 "filter.external_heading_update" [] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x1F "filter.external_heading_update_with_time" [] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x22 "filter.commanded_zupt" [] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x23 "filter.commanded_angular_zupt" [] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_EVIDENCE[1];
-        0x80 0x04 "sensor.scaled_accel" [] RQ1_45_ST_EVIDENCE[1];
-        0x80 0x05 "sensor.scaled_gyro" [] RQ1_45_ST_EVIDENCE[1];
-        0x80 0x06 "sensor.scaled_mag" [] RQ1_45_ST_EVIDENCE[1];
-        0x81 0x03 "gnss_data.llh_position" [] RQ1_45_ST_EVIDENCE[1];
-        0x81 0x05 "gnss_data.ned_velocity" [] RQ1_45_ST_EVIDENCE[1];
-        0x81 0x09 "gnss_data.gps_time" [] RQ1_45_ST_EVIDENCE[1];
-        0x82 0x01 "filter_data.llh_position" [] RQ1_45_ST_EVIDENCE[1];
-        0x82 0x02 "filter_data.ned_velocity" [] RQ1_45_ST_EVIDENCE[1];
-        0x82 0x05 "filter_data.euler_angles" [] RQ1_45_ST_EVIDENCE[1];
+        0x01 0x01 "base.ping" [] RQ1_45_ST_1;
+        0x01 0x02 "base.set_idle" [] RQ1_45_ST_1;
+        0x01 0x03 "base.get_device_info" [] RQ1_45_ST_1;
+        0x01 0x04 "base.get_device_descriptors" [] RQ1_45_ST_1;
+        0x01 0x05 "base.built_in_test" [] RQ1_45_ST_1;
+        0x01 0x06 "base.resume" [] RQ1_45_ST_1;
+        0x01 0x7E "base.soft_reset" [] RQ1_45_ST_1;
+        0x0C 0x01 "3dm.poll_imu_data" [] RQ1_45_ST_1;
+        0x0C 0x02 "3dm.poll_gnss_data" [] RQ1_45_ST_1;
+        0x0C 0x03 "3dm.poll_filter_data" [] RQ1_45_ST_1;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_45_ST_1;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] RQ1_45_ST_1;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] RQ1_45_ST_1;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x20 "3dm.raw_rtcm_2_3_message" [] RQ1_45_ST_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_1;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_1;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] RQ1_45_ST_1;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_1;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] RQ1_45_ST_1;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_1;
+        0x0C 0x64 "3dm.device_status" [] RQ1_45_ST_1;
+        0x0D 0x01 "filter.reset" [] RQ1_45_ST_1;
+        0x0D 0x02 "filter.set_initial_attitude" [] RQ1_45_ST_1;
+        0x0D 0x03 "filter.set_initial_heading" [] RQ1_45_ST_1;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x16 "filter.external_gnss_update" [] RQ1_45_ST_2;
+        0x0D 0x17 "filter.external_heading_update" [] RQ1_45_ST_2;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] RQ1_45_ST_2;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x21 "filter.tare_orientation" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x22 "filter.commanded_zupt" [] RQ1_45_ST_2;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] RQ1_45_ST_2;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RQ1_45_ST_2;
+        0x80 0x04 "sensor.scaled_accel" [] RQ1_45_ST_2;
+        0x80 0x05 "sensor.scaled_gyro" [] RQ1_45_ST_2;
+        0x80 0x06 "sensor.scaled_mag" [] RQ1_45_ST_2;
+        0x81 0x03 "gnss_data.llh_position" [] RQ1_45_ST_2;
+        0x81 0x05 "gnss_data.ned_velocity" [] RQ1_45_ST_2;
+        0x81 0x09 "gnss_data.gps_time" [] RQ1_45_ST_2;
+        0x82 0x01 "filter_data.llh_position" [] RQ1_45_ST_2;
+        0x82 0x02 "filter_data.ned_velocity" [] RQ1_45_ST_2;
+        0x82 0x05 "filter_data.euler_angles" [] RQ1_45_ST_2;
     },
     refuses: supported! {
     },
@@ -8018,9 +8244,8 @@ pub static RQ1_45_ST: Profile = Profile {
 };
 
 #[rustfmt::skip]
-const RTK_EVIDENCE: &[Evidence] = &[
-    Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." },
-];
+const RTK_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-RTK
 ///
@@ -8043,18 +8268,18 @@ pub static RTK: Profile = Profile {
         "No manual is known.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] RTK_EVIDENCE[0];
-        0x01 0x02 "base.set_idle" [] RTK_EVIDENCE[0];
-        0x01 0x03 "base.get_device_info" [] RTK_EVIDENCE[0];
-        0x01 0x04 "base.get_device_descriptors" [] RTK_EVIDENCE[0];
-        0x01 0x05 "base.built_in_test" [] RTK_EVIDENCE[0];
-        0x01 0x06 "base.resume" [] RTK_EVIDENCE[0];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] RTK_EVIDENCE[0];
-        0x01 0x7E "base.soft_reset" [] RTK_EVIDENCE[0];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RTK_EVIDENCE[0];
-        0x0F 0x01 "rtk.get_status_flags" [] RTK_EVIDENCE[0];
-        0x0F 0x07 "rtk.get_activation_code" [] RTK_EVIDENCE[0];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RTK_EVIDENCE[0];
+        0x01 0x01 "base.ping" [] RTK_1;
+        0x01 0x02 "base.set_idle" [] RTK_1;
+        0x01 0x03 "base.get_device_info" [] RTK_1;
+        0x01 0x04 "base.get_device_descriptors" [] RTK_1;
+        0x01 0x05 "base.built_in_test" [] RTK_1;
+        0x01 0x06 "base.resume" [] RTK_1;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] RTK_1;
+        0x01 0x7E "base.soft_reset" [] RTK_1;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] RTK_1;
+        0x0F 0x01 "rtk.get_status_flags" [] RTK_1;
+        0x0F 0x07 "rtk.get_activation_code" [] RTK_1;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] RTK_1;
     },
     refuses: supported! {
     },
@@ -8067,8 +8292,8 @@ pub static RTK: Profile = Profile {
     variants: &[
         Variant {
             parameter: "base.comm_speed.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "the values are not known",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -8077,8 +8302,8 @@ pub static RTK: Profile = Profile {
         },
         Variant {
             parameter: "base.comm_speed_response.port",
-            read_as: Some("comm_interface"),
-            difference: "values of comm_interface",
+            read_as: None,
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[

@@ -238,7 +238,7 @@ macro_rules! supported {
             descriptor: $descriptor,
             name: $name,
             functions: &[$($crate::protocol::FunctionSelector::$function),*],
-            evidence: &$evidence,
+            evidence: $evidence,
         }),*]
     };
 }

@@ -662,7 +662,7 @@ registry! {
         Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
             Command 0x64, of 1,
             "3dm.device_status", "Device Status",
-            ["3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response"], {
+            ["3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response", "3dm.device_status_basic_gx3_response", "3dm.device_status_diagnostic_gx3_response"], {
                 "model_number";
                 "status_selector";
             };
@@ -806,7 +806,7 @@ registry! {
             };
         /// Basic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusBasicResponse(crate::mip_3dm::DeviceStatusBasicResponse):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_basic_response", "Basic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -816,7 +816,7 @@ registry! {
             };
         /// Basic Device Status without a state (0x0C,0x90).
         Mip3dmDeviceStatusBasicWithoutStateResponse(crate::mip_3dm::DeviceStatusBasicWithoutStateResponse):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_basic_without_state_response", "Basic Device Status without a state",
             ["3dm.device_status"], {
                 "model_number";
@@ -825,7 +825,7 @@ registry! {
             };
         /// Diagnostic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticResponse(crate::mip_3dm::DeviceStatusDiagnosticResponse):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_response", "Diagnostic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -846,7 +846,7 @@ registry! {
             };
         /// Diagnostic Device Status with GNSS (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGnssResponse(crate::mip_3dm::DeviceStatusDiagnosticGnssResponse):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_gnss_response", "Diagnostic Device Status with GNSS",
             ["3dm.device_status"], {
                 "model_number";
@@ -875,7 +875,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGq4_45Response(crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic Device Status of the 3DM-GQ4-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -907,7 +907,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticRq1_45Response(crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic Device Status of the 3DM-RQ1-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -939,7 +939,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx4Response(crate::mip_3dm::DeviceStatusDiagnosticGx4Response):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_gx4_response", "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
             ["3dm.device_status"], {
                 "model_number";
@@ -965,7 +965,7 @@ registry! {
             };
         /// Diagnostic Device Status of an IMU (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticImuResponse(crate::mip_3dm::DeviceStatusDiagnosticImuResponse):
-            Response 0x90, of 8,
+            Response 0x90, of 10,
             "3dm.device_status_diagnostic_imu_response", "Diagnostic Device Status of an IMU",
             ["3dm.device_status"], {
                 "model_number";
@@ -988,6 +988,55 @@ registry! {
                 "comm_port_bytes_read" in ["byte"];
                 "comm_port_write_overruns" in ["1"];
                 "comm_port_read_overruns" in ["1"];
+            };
+        /// Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+        Mip3dmDeviceStatusBasicGx3Response(crate::mip_3dm::DeviceStatusBasicGx3Response):
+            Response 0x90, of 10,
+            "3dm.device_status_basic_gx3_response", "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+            ["3dm.device_status"], {
+                "model_number";
+                "comm_mode";
+                "comm_device";
+                "settings_flags";
+                "comm_state";
+                "comm_baud_rate" in ["Bd"];
+            };
+        /// Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
+        Mip3dmDeviceStatusDiagnosticGx3Response(crate::mip_3dm::DeviceStatusDiagnosticGx3Response):
+            Response 0x90, of 10,
+            "3dm.device_status_diagnostic_gx3_response", "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
+            ["3dm.device_status"], {
+                "model_number";
+                "comm_mode";
+                "comm_device";
+                "settings_flags";
+                "comm_state";
+                "comm_baud_rate" in ["Bd"];
+                "comm_port_bytes_written" in ["byte"];
+                "comm_port_bytes_read" in ["byte"];
+                "comm_port_write_overruns" in ["1"];
+                "comm_port_read_overruns" in ["1"];
+                "usb_state";
+                "usb_bytes_written" in ["byte"];
+                "usb_bytes_read" in ["byte"];
+                "usb_write_overruns" in ["1"];
+                "usb_read_overruns" in ["1"];
+                "gnss_driver_state";
+                "gnss_port_state";
+                "gnss_bytes_written" in ["byte"];
+                "gnss_bytes_read" in ["byte"];
+                "gnss_write_overruns" in ["1"];
+                "gnss_read_overruns" in ["1"];
+                "gnss_message_count" in ["1"];
+                "gnss_delayed_message_count" in ["1"];
+                "imu_driver_state";
+                "imu_port_state";
+                "imu_bytes_written" in ["byte"];
+                "imu_bytes_read" in ["byte"];
+                "imu_write_overruns" in ["1"];
+                "imu_read_overruns" in ["1"];
+                "imu_message_count" in ["1"];
+                "imu_delayed_message_count" in ["1"];
             };
         /// GPS dynamics mode response (0x0C,0x92).
         Mip3dmGpsDynamicsModeResponse(crate::mip_3dm::GpsDynamicsModeResponse):

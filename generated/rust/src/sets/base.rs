@@ -489,12 +489,20 @@ record! {
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         ///
         /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-        /// [3DM-RTK](crate::devices::RTK): values of [`types::CommInterface`].
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On
+        /// the [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// [`types::CommInterface::UART_1`], [`types::CommInterface::UART_2`],
+        /// [`types::CommInterface::UART_3`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): 1 is the main port, 2 the auxiliary one. On the
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
+        /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
+        /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-RTK](crate::devices::RTK): the values are not known.
         pub port: Option<u8>,
         /// Baud rate; one that the port supports.
         ///
@@ -532,12 +540,18 @@ impl CommSpeed {
     /// Reads `port` as [`types::CommInterface`].
     ///
     /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
-    /// [`types::CommInterface`].
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): values of
+    /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+    /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On the
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS): values of
+    /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+    /// [`types::CommInterface::UART_1`], [`types::CommInterface::UART_2`],
+    /// [`types::CommInterface::UART_3`] and [`types::CommInterface::USB_1`]. On the
+    /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
+    /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
+    /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`].
     #[inline]
     #[must_use]
     pub fn port_as_comm_interface(&self) -> Option<types::CommInterface> {
@@ -1077,12 +1091,20 @@ record! {
         /// Port id of the device.
         ///
         /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-        /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
-        /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS) and
-        /// [3DM-RTK](crate::devices::RTK): values of [`types::CommInterface`].
+        /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On
+        /// the [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS):
+        /// values of [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+        /// [`types::CommInterface::UART_1`], [`types::CommInterface::UART_2`],
+        /// [`types::CommInterface::UART_3`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): 1 is the main port, 2 the auxiliary one. On the
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
+        /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
+        /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
+        /// [3DM-RTK](crate::devices::RTK): the values are not known.
         pub port: u8,
         /// Baud rate of the port.
         ///
@@ -1096,12 +1118,18 @@ impl CommSpeedResponse {
     /// Reads `port` as [`types::CommInterface`].
     ///
     /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
     /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
-    /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
-    /// [3DM-GV7-INS](crate::devices::GV7_INS) and [3DM-RTK](crate::devices::RTK): values of
-    /// [`types::CommInterface`].
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS) and [3DM-GV7-AR](crate::devices::GV7_AR): values of
+    /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+    /// [`types::CommInterface::UART_1`] and [`types::CommInterface::USB_1`]. On the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`]. On the
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-CX7-INS](crate::devices::CX7_INS): values of
+    /// [`types::CommInterface`]; only [`types::CommInterface::MAIN`],
+    /// [`types::CommInterface::UART_1`], [`types::CommInterface::UART_2`],
+    /// [`types::CommInterface::UART_3`] and [`types::CommInterface::USB_1`]. On the
+    /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
+    /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
+    /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`].
     #[inline]
     #[must_use]
     pub fn port_as_comm_interface(&self) -> types::CommInterface {

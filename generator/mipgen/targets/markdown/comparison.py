@@ -141,8 +141,10 @@ def perhaps(page: Page, role: m.Role) -> str:
     for d in others(page.model):
         fields = [s.field for s in d.supports if s.field.role == role]
         generation = UNKNOWN if d.generation is None else str(d.generation)
-        rows.append([page.link(d), generation, page.links(fields) or UNKNOWN])
-    return table(rows, ["Device", "Generation", "Probable"]) if any(row[2] != UNKNOWN for row in rows) else ""
+        refused = [s.field for s in d.refuses if s.field.role == role]
+        rows.append([page.link(d), generation, page.links(fields) or UNKNOWN, page.links(refused)])
+    headings = ["Device", "Generation", "Probable", "Refused"]
+    return table(rows, headings) if any(row[2] != UNKNOWN for row in rows) else ""
 
 
 # --------------------------------------------------------------------------- rates, ports, limits

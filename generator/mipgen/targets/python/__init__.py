@@ -103,6 +103,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "repr": repr,
         "code": "`{}`".format,
         "hex": "0x{:02X}".format,
+        "digits": "{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
         # what is known at run time

@@ -88,7 +88,7 @@ enum mip_support mip_profile_support(const struct mip_profile *profile, uint8_t 
                                      uint8_t descriptor) {
     const struct mip_profile_field *f = mip_profile_find_field(profile, descriptor_set, descriptor);
     if (f != NULL) {
-        return f->evidence->answer;
+        return (enum mip_support)f->evidence->answer;
     }
     return profile->incomplete_count > 0 ? MIP_SUPPORT_UNKNOWN : MIP_SUPPORT_NO;
 }

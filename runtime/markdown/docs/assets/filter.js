@@ -22,13 +22,13 @@
     // ------------------------------------------------------------------ devices
 
     /** Devices that have no column get one: what the list at the end of the page says of them, else "?". */
-    function addColumn(link, fields) {
+    function addColumn(link, probable, refused) {
         for (const table of withColumns) {
             for (const row of table.rows) {
                 const head = row.parentElement === table.tHead;
                 const field = row.querySelector("td a[href]")?.getAttribute("href");
                 const cell = made(head ? "th" : "td", { hidden: true });
-                cell.append(head ? link.cloneNode(true) : fields.includes(field) ? "probable" : "?");
+                cell.append(head ? link.cloneNode(true) : probable.includes(field) ? "probable" : refused.includes(field) ? "no" : "?");
                 row.append(cell);
             }
         }
@@ -40,11 +40,9 @@
             for (const { id, link } of devicesIn(withColumns[0].tHead)) found.set(id, { title: link.textContent, own: true });
             for (const { id, link } of devicesIn(within)) {
                 if (found.has(id)) continue;
-                const fields = [...(link.closest("tr")?.querySelectorAll("td:last-child a[href]") ?? [])];
-                addColumn(
-                    link,
-                    fields.map((field) => field.getAttribute("href")),
-                );
+                const fields = (cell) =>
+                    [...(link.closest("tr")?.cells[cell]?.querySelectorAll("a[href]") ?? [])].map((a) => a.getAttribute("href"));
+                addColumn(link, fields(2), fields(3));
                 found.set(id, { title: link.textContent, own: false });
             }
         } else {

@@ -135,7 +135,7 @@ field({ descriptor = 0x04, name = "tools.status", role = "command", title = "Sta
     timeout = 2.5,
     rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model that the layouts belong to." },
-      { kind = "scalar", name = "selector", type = "u8", size = 1, doc = "Which layout. Range: 1 to 2. On the Model C: always 2." },
+      { kind = "scalar", name = "selector", type = "u8", size = 1, doc = "Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout." },
     } }, { { set = 0x01, name = "tools.status", title = "Status" }, })
 field({ descriptor = 0x05, name = "tools.bias", role = "command", title = "Bias",
     doc = "Its response serves another command too.", least = 1,

@@ -4,45 +4,32 @@ from __future__ import annotations
 
 from . import tools, types
 from .lookup import device_id
-from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
+from .profile import Device, DeviceInfo, Evidence, Limit, Note, Port, Support, model_number
 
 MODEL_A = Device(
     id="model-a",
     title="Model A",
     description="Supports nearly everything.",
     model_number=4711,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x03),  # tools.set_time
-            (0x01, 0x04),  # tools.status
-            (0x01, 0x05),  # tools.bias
-            (0x01, 0x06),  # tools.capture_bias
-            (0x01, 0x07),  # tools.formats
-            (0x01, 0x08),  # tools.choice
-            (0x01, 0x09),  # tools.list
-            (0x01, 0x0A),  # tools.inventory
-            (0x01, 0x0B),  # tools.pin
-            (0x01, 0x0D),  # tools.readings
-            (0x0C, 0x10),  # 3d.default
-            (0x80, 0x01),  # measurements.accel
-            (0x80, 0x02),  # measurements.numbers
-            (0x80, 0x03),  # measurements.strings
-            (0x80, 0x04),  # measurements.health
-            (0x80, 0x05),  # measurements.arrays
-            (0x80, 0x06),  # measurements.growing
-            (0x80, 0x08),  # measurements.cloud
-            (0x80, 0x0A),  # measurements.breeze
-            (0x81, 0x01),  # more.accel
-            (0x81, 0x03),  # more.strings
-            (0x81, 0x07),  # more.own
-            (0xFF, 0xD3),  # shared.timestamp
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 07 08 09 0A 0B 0D"),
+                0x0C: bytes.fromhex("10"),
+                0x80: bytes.fromhex("01 02 03 04 05 06 08 0A"),
+                0x81: bytes.fromhex("01 03 07"),
+                0xFF: bytes.fromhex("D3"),
+            },
+        ),
     ),
-    functions={},
     base_rates={0x80: 1000, 0x81: 500},
-    ports=(Port("Main", 17, (9600, 115200), ("MIP", "NMEA")), Port("USB", None, (), ("MIP",))),
+    ports=(
+        Port("Main", 17, (9600, 115200), ("MIP", "NMEA"), ("MIP", "NMEA")),
+        Port("USB", None, (), ("MIP",), ("MIP",)),
+    ),
     limits={
         "segments": Limit(12, None, "In a format."),
         "range": Limit(2.5, "g", "Of the sensor."),
@@ -57,10 +44,6 @@ MODEL_A = Device(
         "tools.status_long.flags": tools.ModelAFaults,
     },
     ack_codes=frozenset([0, 1, 3]),
-    perhaps={},
-    incomplete=(),
-    also=(),
-    generation=None,
     manual="guide",
 )
 """Supports nearly everything. Model number 4711. Manual: A guide to devices that do not exist, 1.
@@ -71,29 +54,22 @@ MODEL_B = Device(
     title="Model B",
     description="Small, and reads the acknowledge code in its own way.",
     model_number=None,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x04),  # tools.status
-            (0x80, 0x01),  # measurements.accel
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            {0x01: bytes.fromhex("01 02 04"), 0x80: bytes.fromhex("01")},
+        ),
     ),
     functions={(0x01, 0x02): "WR"},
     base_rates={0x80: 0},
-    ports=(),
-    limits={},
-    notes={},
     readings={
         "protocol.acknowledge.code": types.Mode,
         "tools.status_short.flags": tools.ModelBFaults,
         "tools.status_long.flags": tools.ModelBFaults,
     },
     ack_codes=frozenset([0, 1]),
-    perhaps={},
-    incomplete=(),
-    also=(),
-    generation=None,
     manual="leaflet",
 )
 """Small, and reads the acknowledge code in its own way. Manual: A leaflet about one of them, 2."""
@@ -103,48 +79,46 @@ MODEL_C = Device(
     title="Model C",
     description="Like the model A, with a radio and without a choice.",
     model_number=4713,
-    fields=frozenset(
-        {
-            (0x01, 0x01),  # tools.ping
-            (0x01, 0x02),  # tools.settings
-            (0x01, 0x03),  # tools.set_time
-            (0x01, 0x04),  # tools.status
-            (0x01, 0x05),  # tools.bias
-            (0x01, 0x06),  # tools.capture_bias
-            (0x01, 0x07),  # tools.formats
-            (0x01, 0x09),  # tools.list
-            (0x01, 0x0A),  # tools.inventory
-            (0x01, 0x0B),  # tools.pin
-            (0x01, 0x0D),  # tools.readings
-            (0x80, 0x01),  # measurements.accel
-            (0x80, 0x02),  # measurements.numbers
-            (0x80, 0x03),  # measurements.strings
-            (0x80, 0x04),  # measurements.health
-            (0x80, 0x05),  # measurements.arrays
-            (0x80, 0x06),  # measurements.growing
-            (0x80, 0x07),  # measurements.radio
-            (0x80, 0x08),  # measurements.cloud
-            (0x80, 0x0A),  # measurements.breeze
-            (0x81, 0x01),  # more.accel
-            (0x81, 0x07),  # more.own
-            (0xFF, 0xD3),  # shared.timestamp
-        }
+    evidence=(
+        Evidence(
+            Support.YES,
+            "documented",
+            "Its documentation has it.",
+            {
+                0x01: bytes.fromhex("01 02 03 04 05 06 07 09 0A 0B 0D"),
+                0x80: bytes.fromhex("01 02 03 04 05 06 07 08 0A"),
+                0x81: bytes.fromhex("01 07"),
+                0xFF: bytes.fromhex("D3"),
+            },
+        ),
+        Evidence(
+            Support.YES,
+            "listed",
+            "The device lists it (firmware 1.0.07; 2026-11-23).",
+            {0x01: bytes.fromhex("0E")},
+            ((1, 110), (1, 111)),
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "transcribed",
+            "A list by others after its manual has it (Kit of names: Names). It names tools.hello.",
+            {0x01: bytes.fromhex("0C"), 0x92: bytes.fromhex("01")},
+        ),
+        Evidence(
+            Support.NO,
+            "refused",
+            "The device refuses it (firmware 1.2).",
+            {0x01: bytes.fromhex("08")},
+        ),
     ),
     functions={(0x01, 0x02): "WRS"},
     base_rates={0x80: 1000, 0x81: 250},
-    ports=(Port("Main", 18, (9600,), ("MIP",)), Port("CAN", None, (), ())),
+    ports=(Port("Main", 18, (9600,), ("MIP",), ("MIP",)), Port("CAN", None, (), (), ())),
     limits={"segments": Limit(6, None, "In a format.")},
-    notes={},
     readings={"tools.status_short.flags": tools.ModelAFaults},
     ack_codes=frozenset([0, 1, 3]),
-    perhaps={
-        (0x01, 0x0C): "The sheet names it.",  # tools.hello
-        (0x92, 0x01): "The sheet names it.",  # copy.accel
-    },
-    incomplete=(),
     also=("Model See", "c"),
     generation=3,
-    manual=None,
 )
 """Like the model A, with a radio and without a choice. Also called Model See and c. Generation 3.
 Model number 4713. Like the Model A, except as stated here. No manual is known. Uncertain: Whether
@@ -158,25 +132,21 @@ OLD_1 = Device(
     title="Old 1",
     description="Known by its name and number.",
     model_number=4001,
-    fields=frozenset(
-        {
-            (0x01, 0x01)  # tools.ping
-        }
+    evidence=(
+        Evidence(
+            Support.YES, "documented", "Its documentation has it.", {0x01: bytes.fromhex("01")}
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, Model A and Model B.",
+            {0x80: bytes.fromhex("02")},
+        ),
     ),
-    functions={},
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x80, 0x02): "All old devices have it."  # measurements.numbers
-    },
     incomplete=("No manual is known; see `tools.ping`.",),
     also=("First",),
     generation=1,
-    manual=None,
 )
 """Known by its name and number. Also called First. Generation 1. Model number 4001. No manual is
 known. This profile is incomplete: No manual is known; see `tools.Ping`.
@@ -189,22 +159,17 @@ OLD_2 = Device(
     title="Old 2",
     description="Known by its name and number.",
     model_number=4002,
-    fields=frozenset({}),
-    functions={},
+    evidence=(
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Devices of its generation have it, Model A and Model B.",
+            {0x01: bytes.fromhex("01"), 0x80: bytes.fromhex("02")},
+        ),
+    ),
     base_rates={},
-    ports=(),
-    limits={},
-    notes={},
-    readings={},
-    ack_codes=frozenset([]),
-    perhaps={
-        (0x01, 0x01): "All old devices have it.",  # tools.ping
-        (0x80, 0x02): "All old devices have it.",  # measurements.numbers
-    },
     incomplete=("Nothing is known of its data.",),
-    also=(),
     generation=1,
-    manual=None,
 )
 """Known by its name and number. Generation 1. Model number 4002. No manual is known. This profile
 is incomplete: Nothing is known of its data.
@@ -222,13 +187,8 @@ DEVICES: dict[str, Device] = {
 }
 
 
-def find(name: str) -> Device | None:
-    """A device by its id, its title or another name."""
-    return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
-
-
 def by_name(name: str) -> Device:
-    """The same for any spelling, or for its last words ("gx5 15"); raises UnknownName, which gives the nearest."""
+    """A device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
     return DEVICES[device_id(name)]
 
 
@@ -245,8 +205,8 @@ def identify(info: DeviceInfo) -> Device | None:
 
 # fmt: off
 __all__ = [
-    "DEVICES", "Device", "DeviceInfo", "Limit", "Note", "Port", "by_model", "by_name", "find", "identify",
-    "model_number",
+    "DEVICES", "Device", "DeviceInfo", "Evidence", "Limit", "Note", "Port", "Support", "by_model", "by_name",
+    "identify", "model_number",
     "MODEL_A",
     "MODEL_B",
     "MODEL_C",

@@ -24,7 +24,7 @@ class Accel(Shared, Data):
     A vector whose elements are valid together.
 
     Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by
-    Model A, Model B and Model C.
+    Model A, Model B and Model C. On the Model C: firmware > 1.0.07.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -101,7 +101,7 @@ class Numbers(Shared, Data):
 
     One of each.
 
-    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C. May be
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C. Probably
     supported by Old 1 and Old 2.
 
     - guide: Numbers
@@ -590,7 +590,7 @@ class Own(Data):
 
     In one of the sets only, with a descriptor that has another layout in the others.
 
-    Supported by Model A and Model C.
+    Supported by Model A and Model C. On the Model C: firmware > 1.0.07.
 
     - guide: Own
     """

@@ -606,7 +606,7 @@ _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. May be supported by Model C.
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Probably supported by Model C.
     Known only from the Kit of names. Uncertain: When it comes.
 
     - sheet: Hello
@@ -994,7 +994,7 @@ class Ping(Command[None]):
 
     Tests the line.
 
-    Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
+    Supported by Model A, Model B, Model C and Old 1. Probably supported by Old 2.
 
     - guide: Ping
     - leaflet: Ping
@@ -1353,7 +1353,7 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     selector: int
     """Which layout. Range: 1 to 2.
 
-    - On the Model C: always 2.
+    - On the Model C: always 2. Inferred: It has one layout.
     """
 
     def __init__(self, selector: int) -> None:
@@ -1498,7 +1498,7 @@ class CaptureBias(Command[BiasVector]):
     Measures the bias.
 
     Answered by `BiasVector`. Supported by Model A and Model C. Deprecated on the Model C: use
-    `Bias` instead.
+    `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
 
     - guide: Capture bias
     """
@@ -1606,7 +1606,8 @@ class Choice(Command[R]):
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
 
-    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
+    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A. Refused by
+    Model C.
 
     - guide: Choice
     """
@@ -1975,8 +1976,8 @@ class Hello(Command[HelloResponse]):
 
     The device asks and a host answers.
 
-    Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers. May
-    be supported by Model C. Known only from the Kit of names.
+    Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers.
+    Probably supported by Model C. Known only from the Kit of names.
 
     - sheet: Hello
     """
@@ -2080,7 +2081,7 @@ class Poll(Command[None]):
 
     Descriptors of a set that a parameter names, and of one that is always the same.
 
-    Not listed in any device profile.
+    Supported by Model C.
 
     - guide: Formats
     """

@@ -34,7 +34,7 @@ extern "C" {
  * A vector whose elements are valid together.
  *
  * Occurs in MIP_MEASUREMENTS_SET, MIP_MORE_SET and MIP_COPY_SET. Maximum rate: 100 Hz. Supported by
- * Model A, Model B and Model C.
+ * Model A, Model B and Model C. On the Model C: firmware > 1.0.07.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -604,7 +604,7 @@ static inline mip_error mip_measurements_radio_encode_inline(
  *
  * In one of the sets only, with a descriptor that has another layout in the others.
  *
- * Supported by Model A and Model C.
+ * Supported by Model A and Model C. On the Model C: firmware > 1.0.07.
  *
  * - guide: Own
  */

@@ -5,32 +5,36 @@
 
 /* Model A. */
 
+static const struct mip_profile_evidence model_a_evidence[] = {
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+};
+
 static const struct mip_profile_field model_a_fields[] = {
-    {0x01, 0x01, "", NULL},       /* tools.ping */
-    {0x01, 0x02, "WRSLDA", NULL}, /* tools.settings */
-    {0x01, 0x03, "WRA", NULL},    /* tools.set_time */
-    {0x01, 0x04, "", NULL},       /* tools.status */
-    {0x01, 0x05, "WRSLD", NULL},  /* tools.bias */
-    {0x01, 0x06, "", NULL},       /* tools.capture_bias */
-    {0x01, 0x07, "", NULL},       /* tools.formats */
-    {0x01, 0x08, "WR", NULL},     /* tools.choice */
-    {0x01, 0x09, "WRS", NULL},    /* tools.list */
-    {0x01, 0x0A, "", NULL},       /* tools.inventory */
-    {0x01, 0x0B, "WR", NULL},     /* tools.pin */
-    {0x01, 0x0D, "", NULL},       /* tools.readings */
-    {0x0C, 0x10, "", NULL},       /* 3d.default */
-    {0x80, 0x01, "", NULL},       /* measurements.accel */
-    {0x80, 0x02, "", NULL},       /* measurements.numbers */
-    {0x80, 0x03, "", NULL},       /* measurements.strings */
-    {0x80, 0x04, "", NULL},       /* measurements.health */
-    {0x80, 0x05, "", NULL},       /* measurements.arrays */
-    {0x80, 0x06, "", NULL},       /* measurements.growing */
-    {0x80, 0x08, "", NULL},       /* measurements.cloud */
-    {0x80, 0x0A, "", NULL},       /* measurements.breeze */
-    {0x81, 0x01, "", NULL},       /* more.accel */
-    {0x81, 0x03, "", NULL},       /* more.strings */
-    {0x81, 0x07, "", NULL},       /* more.own */
-    {0xFF, 0xD3, "", NULL},       /* shared.timestamp */
+    {0x01, 0x01, "", &model_a_evidence[0]},       /* tools.ping */
+    {0x01, 0x02, "WRSLDA", &model_a_evidence[0]}, /* tools.settings */
+    {0x01, 0x03, "WRA", &model_a_evidence[0]},    /* tools.set_time */
+    {0x01, 0x04, "", &model_a_evidence[0]},       /* tools.status */
+    {0x01, 0x05, "WRSLD", &model_a_evidence[0]},  /* tools.bias */
+    {0x01, 0x06, "", &model_a_evidence[0]},       /* tools.capture_bias */
+    {0x01, 0x07, "", &model_a_evidence[0]},       /* tools.formats */
+    {0x01, 0x08, "WR", &model_a_evidence[0]},     /* tools.choice */
+    {0x01, 0x09, "WRS", &model_a_evidence[0]},    /* tools.list */
+    {0x01, 0x0A, "", &model_a_evidence[0]},       /* tools.inventory */
+    {0x01, 0x0B, "WR", &model_a_evidence[0]},     /* tools.pin */
+    {0x01, 0x0D, "", &model_a_evidence[0]},       /* tools.readings */
+    {0x0C, 0x10, "", &model_a_evidence[0]},       /* 3d.default */
+    {0x80, 0x01, "", &model_a_evidence[0]},       /* measurements.accel */
+    {0x80, 0x02, "", &model_a_evidence[0]},       /* measurements.numbers */
+    {0x80, 0x03, "", &model_a_evidence[0]},       /* measurements.strings */
+    {0x80, 0x04, "", &model_a_evidence[0]},       /* measurements.health */
+    {0x80, 0x05, "", &model_a_evidence[0]},       /* measurements.arrays */
+    {0x80, 0x06, "", &model_a_evidence[0]},       /* measurements.growing */
+    {0x80, 0x08, "", &model_a_evidence[0]},       /* measurements.cloud */
+    {0x80, 0x0A, "", &model_a_evidence[0]},       /* measurements.breeze */
+    {0x81, 0x01, "", &model_a_evidence[0]},       /* more.accel */
+    {0x81, 0x03, "", &model_a_evidence[0]},       /* more.strings */
+    {0x81, 0x07, "", &model_a_evidence[0]},       /* more.own */
+    {0xFF, 0xD3, "", &model_a_evidence[0]},       /* shared.timestamp */
 };
 
 static const struct mip_profile_rate model_a_rates[] = {
@@ -41,8 +45,8 @@ static const struct mip_profile_rate model_a_rates[] = {
 static const uint32_t model_a_baud_rates_1[] = {9600, 115200};
 
 static const struct mip_profile_port model_a_ports[] = {
-    {"Main", 0x11, 2, model_a_baud_rates_1, "MIP, NMEA"},
-    {"USB", 0x00, 0, NULL, "MIP"},
+    {"Main", 0x11, 2, model_a_baud_rates_1, "MIP, NMEA", "MIP, NMEA"},
+    {"USB", 0x00, 0, NULL, "MIP", "MIP"},
 };
 
 static const struct mip_profile_limit model_a_limits[] = {
@@ -77,6 +81,7 @@ const struct mip_profile mip_profile_model_a = {
     0,    /* other names */
     0,    /* what is not known */
     25,   /* fields */
+    0,    /* refused fields */
     2,    /* base rates */
     2,    /* ports */
     2,    /* limits */
@@ -86,6 +91,7 @@ const struct mip_profile mip_profile_model_a = {
     NULL,
     NULL,
     model_a_fields,
+    NULL,
     model_a_rates,
     model_a_ports,
     model_a_limits,
@@ -96,11 +102,15 @@ const struct mip_profile mip_profile_model_a = {
 
 /* Model B. */
 
+static const struct mip_profile_evidence model_b_evidence[] = {
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+};
+
 static const struct mip_profile_field model_b_fields[] = {
-    {0x01, 0x01, "", NULL},   /* tools.ping */
-    {0x01, 0x02, "WR", NULL}, /* tools.settings */
-    {0x01, 0x04, "", NULL},   /* tools.status */
-    {0x80, 0x01, "", NULL},   /* measurements.accel */
+    {0x01, 0x01, "", &model_b_evidence[0]},   /* tools.ping */
+    {0x01, 0x02, "WR", &model_b_evidence[0]}, /* tools.settings */
+    {0x01, 0x04, "", &model_b_evidence[0]},   /* tools.status */
+    {0x80, 0x01, "", &model_b_evidence[0]},   /* measurements.accel */
 };
 
 static const struct mip_profile_rate model_b_rates[] = {
@@ -125,6 +135,7 @@ const struct mip_profile mip_profile_model_b = {
     0, /* other names */
     0, /* what is not known */
     4, /* fields */
+    0, /* refused fields */
     1, /* base rates */
     0, /* ports */
     0, /* limits */
@@ -134,6 +145,7 @@ const struct mip_profile mip_profile_model_b = {
     NULL,
     NULL,
     model_b_fields,
+    NULL,
     model_b_rates,
     NULL,
     NULL,
@@ -149,34 +161,45 @@ static const char *const model_c_also[] = {
     "c",
 };
 
-static const char model_c_evidence_1[] = "The sheet names it.";
+static const struct mip_profile_evidence model_c_evidence[] = {
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "The device lists it (firmware 1.0.07; 2026-11-23)."},
+    {MIP_SUPPORT_PROBABLE,
+     "A list by others after its manual has it (Kit of names: Names). It names tools.hello."},
+    {MIP_SUPPORT_NO, "The device refuses it (firmware 1.2)."},
+};
 
 static const struct mip_profile_field model_c_fields[] = {
-    {0x01, 0x01, "", NULL},               /* tools.ping */
-    {0x01, 0x02, "WRS", NULL},            /* tools.settings */
-    {0x01, 0x03, "WRA", NULL},            /* tools.set_time */
-    {0x01, 0x04, "", NULL},               /* tools.status */
-    {0x01, 0x05, "WRSLD", NULL},          /* tools.bias */
-    {0x01, 0x06, "", NULL},               /* tools.capture_bias */
-    {0x01, 0x07, "", NULL},               /* tools.formats */
-    {0x01, 0x09, "WRS", NULL},            /* tools.list */
-    {0x01, 0x0A, "", NULL},               /* tools.inventory */
-    {0x01, 0x0B, "WR", NULL},             /* tools.pin */
-    {0x01, 0x0C, "", model_c_evidence_1}, /* tools.hello */
-    {0x01, 0x0D, "", NULL},               /* tools.readings */
-    {0x80, 0x01, "", NULL},               /* measurements.accel */
-    {0x80, 0x02, "", NULL},               /* measurements.numbers */
-    {0x80, 0x03, "", NULL},               /* measurements.strings */
-    {0x80, 0x04, "", NULL},               /* measurements.health */
-    {0x80, 0x05, "", NULL},               /* measurements.arrays */
-    {0x80, 0x06, "", NULL},               /* measurements.growing */
-    {0x80, 0x07, "", NULL},               /* measurements.radio */
-    {0x80, 0x08, "", NULL},               /* measurements.cloud */
-    {0x80, 0x0A, "", NULL},               /* measurements.breeze */
-    {0x81, 0x01, "", NULL},               /* more.accel */
-    {0x81, 0x07, "", NULL},               /* more.own */
-    {0x92, 0x01, "", model_c_evidence_1}, /* copy.accel */
-    {0xFF, 0xD3, "", NULL},               /* shared.timestamp */
+    {0x01, 0x01, "", &model_c_evidence[0]},      /* tools.ping */
+    {0x01, 0x02, "WRS", &model_c_evidence[0]},   /* tools.settings */
+    {0x01, 0x03, "WRA", &model_c_evidence[0]},   /* tools.set_time */
+    {0x01, 0x04, "", &model_c_evidence[0]},      /* tools.status */
+    {0x01, 0x05, "WRSLD", &model_c_evidence[0]}, /* tools.bias */
+    {0x01, 0x06, "", &model_c_evidence[0]},      /* tools.capture_bias */
+    {0x01, 0x07, "", &model_c_evidence[0]},      /* tools.formats */
+    {0x01, 0x09, "WRS", &model_c_evidence[0]},   /* tools.list */
+    {0x01, 0x0A, "", &model_c_evidence[0]},      /* tools.inventory */
+    {0x01, 0x0B, "WR", &model_c_evidence[0]},    /* tools.pin */
+    {0x01, 0x0C, "", &model_c_evidence[2]},      /* tools.hello */
+    {0x01, 0x0D, "", &model_c_evidence[0]},      /* tools.readings */
+    {0x01, 0x0E, "", &model_c_evidence[1]},      /* tools.poll */
+    {0x80, 0x01, "", &model_c_evidence[0]},      /* measurements.accel */
+    {0x80, 0x02, "", &model_c_evidence[0]},      /* measurements.numbers */
+    {0x80, 0x03, "", &model_c_evidence[0]},      /* measurements.strings */
+    {0x80, 0x04, "", &model_c_evidence[0]},      /* measurements.health */
+    {0x80, 0x05, "", &model_c_evidence[0]},      /* measurements.arrays */
+    {0x80, 0x06, "", &model_c_evidence[0]},      /* measurements.growing */
+    {0x80, 0x07, "", &model_c_evidence[0]},      /* measurements.radio */
+    {0x80, 0x08, "", &model_c_evidence[0]},      /* measurements.cloud */
+    {0x80, 0x0A, "", &model_c_evidence[0]},      /* measurements.breeze */
+    {0x81, 0x01, "", &model_c_evidence[0]},      /* more.accel */
+    {0x81, 0x07, "", &model_c_evidence[0]},      /* more.own */
+    {0x92, 0x01, "", &model_c_evidence[2]},      /* copy.accel */
+    {0xFF, 0xD3, "", &model_c_evidence[0]},      /* shared.timestamp */
+};
+
+static const struct mip_profile_field model_c_refuses[] = {
+    {0x01, 0x08, "WR", &model_c_evidence[3]}, /* tools.choice */
 };
 
 static const struct mip_profile_rate model_c_rates[] = {
@@ -187,8 +210,8 @@ static const struct mip_profile_rate model_c_rates[] = {
 static const uint32_t model_c_baud_rates_1[] = {9600};
 
 static const struct mip_profile_port model_c_ports[] = {
-    {"Main", 0x12, 1, model_c_baud_rates_1, "MIP"},
-    {"CAN", 0x00, 0, NULL, ""},
+    {"Main", 0x12, 1, model_c_baud_rates_1, "MIP", "MIP"},
+    {"CAN", 0x00, 0, NULL, "", ""},
 };
 
 static const struct mip_profile_limit model_c_limits[] = {
@@ -210,7 +233,8 @@ const struct mip_profile mip_profile_model_c = {
     3,    /* generation */
     2,    /* other names */
     0,    /* what is not known */
-    25,   /* fields */
+    26,   /* fields */
+    1,    /* refused fields */
     2,    /* base rates */
     2,    /* ports */
     1,    /* limits */
@@ -220,6 +244,7 @@ const struct mip_profile mip_profile_model_c = {
     model_c_also,
     NULL,
     model_c_fields,
+    model_c_refuses,
     model_c_rates,
     model_c_ports,
     model_c_limits,
@@ -238,11 +263,14 @@ static const char *const old_1_incomplete[] = {
     "No manual is known; see `tools.ping`.",
 };
 
-static const char old_1_evidence_1[] = "All old devices have it.";
+static const struct mip_profile_evidence old_1_evidence[] = {
+    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, Model A and Model B."},
+};
 
 static const struct mip_profile_field old_1_fields[] = {
-    {0x01, 0x01, "", NULL},             /* tools.ping */
-    {0x80, 0x02, "", old_1_evidence_1}, /* measurements.numbers */
+    {0x01, 0x01, "", &old_1_evidence[0]}, /* tools.ping */
+    {0x80, 0x02, "", &old_1_evidence[1]}, /* measurements.numbers */
 };
 
 const struct mip_profile mip_profile_old_1 = {
@@ -255,6 +283,7 @@ const struct mip_profile mip_profile_old_1 = {
     1,    /* other names */
     1,    /* what is not known */
     2,    /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -270,6 +299,7 @@ const struct mip_profile mip_profile_old_1 = {
     NULL,
     NULL,
     NULL,
+    NULL,
 };
 
 /* Old 2. */
@@ -278,11 +308,13 @@ static const char *const old_2_incomplete[] = {
     "Nothing is known of its data.",
 };
 
-static const char old_2_evidence_1[] = "All old devices have it.";
+static const struct mip_profile_evidence old_2_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, Model A and Model B."},
+};
 
 static const struct mip_profile_field old_2_fields[] = {
-    {0x01, 0x01, "", old_2_evidence_1}, /* tools.ping */
-    {0x80, 0x02, "", old_2_evidence_1}, /* measurements.numbers */
+    {0x01, 0x01, "", &old_2_evidence[0]}, /* tools.ping */
+    {0x80, 0x02, "", &old_2_evidence[0]}, /* measurements.numbers */
 };
 
 const struct mip_profile mip_profile_old_2 = {
@@ -295,6 +327,7 @@ const struct mip_profile mip_profile_old_2 = {
     0,    /* other names */
     1,    /* what is not known */
     2,    /* fields */
+    0,    /* refused fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -304,6 +337,7 @@ const struct mip_profile mip_profile_old_2 = {
     NULL,
     old_2_incomplete,
     old_2_fields,
+    NULL,
     NULL,
     NULL,
     NULL,

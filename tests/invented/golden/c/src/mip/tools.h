@@ -640,7 +640,7 @@ static inline mip_error mip_tools_set_time_slow_response_encode_inline(
  * - guide: Status
  */
 struct mip_tools_status {
-    /** Which layout. Range: 1 to 2. On the Model C: always 2. */
+    /** Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout. */
     uint8_t selector;
 };
 
@@ -668,7 +668,7 @@ static inline mip_error mip_tools_status_encode(const struct mip_tools_status *v
 /**
  * Status. Fills the structure and returns its address.
  *
- * - selector: Which layout. Range: 1 to 2. On the Model C: always 2.
+ * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
  */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
@@ -1012,7 +1012,7 @@ static inline mip_error mip_tools_bias_vector_encode_inline(
  * Measures the bias.
  *
  * Answered by mip_tools_bias_vector. Supported by Model A and Model C. Deprecated on the Model C:
- * use mip_tools_bias instead.
+ * use mip_tools_bias instead. On the Model C: firmware >= 1.0, < 1.1.
  *
  * - guide: Capture bias
  */
@@ -1841,7 +1841,7 @@ static inline mip_error mip_tools_readings_response_encode(
  *
  * Descriptors of a set that a parameter names, and of one that is always the same.
  *
- * Not listed in any device profile.
+ * Supported by Model C.
  *
  * - guide: Formats
  */

@@ -314,7 +314,7 @@ static inline mip_error mip_send_for_tools_full(struct mip_client *client,
 /**
  * Status. See mip_device_call.
  *
- * - selector: Which layout. Range: 1 to 2. On the Model C: always 2.
+ * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
  */
 static inline struct mip_result mip_call_tools_status(struct mip_device *device, uint8_t selector) {
     struct mip_tools_status command;

@@ -132,7 +132,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Poll": FieldInfo(
-        "tools.poll", tools.Poll,
+        "tools.poll", tools.Poll, devices=("model-c",),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254),
             Parameter("first", "first", "scalar", scalar="u8", default=1),

@@ -1,7 +1,7 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Limit, Profile, ProfilePort, Variant};
+use super::{BaseRate, Evidence, Limit, Profile, ProfilePort, Support, Variant};
 #[allow(unused_imports)]
 use crate::protocol::AckCode;
 
@@ -14,6 +14,10 @@ pub static ALL: &[&Profile] = &[
     &OLD_1,
     &OLD_2,
 ];
+
+#[rustfmt::skip]
+const MODEL_A_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
 
 /// Model A
 ///
@@ -41,31 +45,33 @@ pub static MODEL_A: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] None;
-        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY] None;
-        0x01 0x04 "tools.status" [] None;
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x01 0x06 "tools.capture_bias" [] None;
-        0x01 0x07 "tools.formats" [] None;
-        0x01 0x08 "tools.choice" [WRITE READ] None;
-        0x01 0x09 "tools.list" [WRITE READ SAVE] None;
-        0x01 0x0A "tools.inventory" [] None;
-        0x01 0x0B "tools.pin" [WRITE READ] None;
-        0x01 0x0D "tools.readings" [] None;
-        0x0C 0x10 "3d.default" [] None;
-        0x80 0x01 "measurements.accel" [] None;
-        0x80 0x02 "measurements.numbers" [] None;
-        0x80 0x03 "measurements.strings" [] None;
-        0x80 0x04 "measurements.health" [] None;
-        0x80 0x05 "measurements.arrays" [] None;
-        0x80 0x06 "measurements.growing" [] None;
-        0x80 0x08 "measurements.cloud" [] None;
-        0x80 0x0A "measurements.breeze" [] None;
-        0x81 0x01 "more.accel" [] None;
-        0x81 0x03 "more.strings" [] None;
-        0x81 0x07 "more.own" [] None;
-        0xFF 0xD3 "shared.timestamp" [] None;
+        0x01 0x01 "tools.ping" [] MODEL_A_1;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY] MODEL_A_1;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_A_1;
+        0x01 0x04 "tools.status" [] MODEL_A_1;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_A_1;
+        0x01 0x06 "tools.capture_bias" [] MODEL_A_1;
+        0x01 0x07 "tools.formats" [] MODEL_A_1;
+        0x01 0x08 "tools.choice" [WRITE READ] MODEL_A_1;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_A_1;
+        0x01 0x0A "tools.inventory" [] MODEL_A_1;
+        0x01 0x0B "tools.pin" [WRITE READ] MODEL_A_1;
+        0x01 0x0D "tools.readings" [] MODEL_A_1;
+        0x0C 0x10 "3d.default" [] MODEL_A_1;
+        0x80 0x01 "measurements.accel" [] MODEL_A_1;
+        0x80 0x02 "measurements.numbers" [] MODEL_A_1;
+        0x80 0x03 "measurements.strings" [] MODEL_A_1;
+        0x80 0x04 "measurements.health" [] MODEL_A_1;
+        0x80 0x05 "measurements.arrays" [] MODEL_A_1;
+        0x80 0x06 "measurements.growing" [] MODEL_A_1;
+        0x80 0x08 "measurements.cloud" [] MODEL_A_1;
+        0x80 0x0A "measurements.breeze" [] MODEL_A_1;
+        0x81 0x01 "more.accel" [] MODEL_A_1;
+        0x81 0x03 "more.strings" [] MODEL_A_1;
+        0x81 0x07 "more.own" [] MODEL_A_1;
+        0xFF 0xD3 "shared.timestamp" [] MODEL_A_1;
+    },
+    refuses: supported! {
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -76,13 +82,15 @@ pub static MODEL_A: Profile = Profile {
             name: "Main",
             id: Some(0x11),
             baud_rates: &[9600, 115200],
-            protocols: &["MIP", "NMEA"],
+            receives: &["MIP", "NMEA"],
+            sends: &["MIP", "NMEA"],
         },
         ProfilePort {
             name: "USB",
             id: None,
             baud_rates: &[],
-            protocols: &["MIP"],
+            receives: &["MIP"],
+            sends: &["MIP"],
         },
     ],
     limits: &[
@@ -118,6 +126,10 @@ pub static MODEL_A: Profile = Profile {
     ],
 };
 
+#[rustfmt::skip]
+const MODEL_B_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+
 /// Model B
 ///
 /// Small, and reads the acknowledge code in its own way.
@@ -135,10 +147,12 @@ pub static MODEL_B: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] None;
-        0x01 0x02 "tools.settings" [WRITE READ] None;
-        0x01 0x04 "tools.status" [] None;
-        0x80 0x01 "measurements.accel" [] None;
+        0x01 0x01 "tools.ping" [] MODEL_B_1;
+        0x01 0x02 "tools.settings" [WRITE READ] MODEL_B_1;
+        0x01 0x04 "tools.status" [] MODEL_B_1;
+        0x80 0x01 "measurements.accel" [] MODEL_B_1;
+    },
+    refuses: supported! {
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 0.0 },
@@ -175,6 +189,19 @@ pub static MODEL_B: Profile = Profile {
     ],
 };
 
+#[rustfmt::skip]
+const MODEL_C_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const MODEL_C_2: &Evidence =
+    &Evidence { answer: Support::Yes, why: "The device lists it (firmware 1.0.07; 2026-11-23)." };
+#[rustfmt::skip]
+const MODEL_C_3: &Evidence =
+    &Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Kit of names: Names). It names tools.hello." };
+#[rustfmt::skip]
+const MODEL_C_4: &Evidence =
+    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.2)." };
+
 /// Model C
 ///
 /// Like the model A, with a radio and without a choice.
@@ -196,31 +223,35 @@ pub static MODEL_C: Profile = Profile {
     incomplete: &[
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] None;
-        0x01 0x02 "tools.settings" [WRITE READ SAVE] None;
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY] None;
-        0x01 0x04 "tools.status" [] None;
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x01 0x06 "tools.capture_bias" [] None;
-        0x01 0x07 "tools.formats" [] None;
-        0x01 0x09 "tools.list" [WRITE READ SAVE] None;
-        0x01 0x0A "tools.inventory" [] None;
-        0x01 0x0B "tools.pin" [WRITE READ] None;
-        0x01 0x0C "tools.hello" [] Some("The sheet names it.");
-        0x01 0x0D "tools.readings" [] None;
-        0x80 0x01 "measurements.accel" [] None;
-        0x80 0x02 "measurements.numbers" [] None;
-        0x80 0x03 "measurements.strings" [] None;
-        0x80 0x04 "measurements.health" [] None;
-        0x80 0x05 "measurements.arrays" [] None;
-        0x80 0x06 "measurements.growing" [] None;
-        0x80 0x07 "measurements.radio" [] None;
-        0x80 0x08 "measurements.cloud" [] None;
-        0x80 0x0A "measurements.breeze" [] None;
-        0x81 0x01 "more.accel" [] None;
-        0x81 0x07 "more.own" [] None;
-        0x92 0x01 "copy.accel" [] Some("The sheet names it.");
-        0xFF 0xD3 "shared.timestamp" [] None;
+        0x01 0x01 "tools.ping" [] MODEL_C_1;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE] MODEL_C_1;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] MODEL_C_1;
+        0x01 0x04 "tools.status" [] MODEL_C_1;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] MODEL_C_1;
+        0x01 0x06 "tools.capture_bias" [] MODEL_C_1;
+        0x01 0x07 "tools.formats" [] MODEL_C_1;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] MODEL_C_1;
+        0x01 0x0A "tools.inventory" [] MODEL_C_1;
+        0x01 0x0B "tools.pin" [WRITE READ] MODEL_C_1;
+        0x01 0x0C "tools.hello" [] MODEL_C_3;
+        0x01 0x0D "tools.readings" [] MODEL_C_1;
+        0x01 0x0E "tools.poll" [] MODEL_C_2;
+        0x80 0x01 "measurements.accel" [] MODEL_C_1;
+        0x80 0x02 "measurements.numbers" [] MODEL_C_1;
+        0x80 0x03 "measurements.strings" [] MODEL_C_1;
+        0x80 0x04 "measurements.health" [] MODEL_C_1;
+        0x80 0x05 "measurements.arrays" [] MODEL_C_1;
+        0x80 0x06 "measurements.growing" [] MODEL_C_1;
+        0x80 0x07 "measurements.radio" [] MODEL_C_1;
+        0x80 0x08 "measurements.cloud" [] MODEL_C_1;
+        0x80 0x0A "measurements.breeze" [] MODEL_C_1;
+        0x81 0x01 "more.accel" [] MODEL_C_1;
+        0x81 0x07 "more.own" [] MODEL_C_1;
+        0x92 0x01 "copy.accel" [] MODEL_C_3;
+        0xFF 0xD3 "shared.timestamp" [] MODEL_C_1;
+    },
+    refuses: supported! {
+        0x01 0x08 "tools.choice" [WRITE READ] MODEL_C_4;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -231,13 +262,15 @@ pub static MODEL_C: Profile = Profile {
             name: "Main",
             id: Some(0x12),
             baud_rates: &[9600],
-            protocols: &["MIP"],
+            receives: &["MIP"],
+            sends: &["MIP"],
         },
         ProfilePort {
             name: "CAN",
             id: None,
             baud_rates: &[],
-            protocols: &[],
+            receives: &[],
+            sends: &[],
         },
     ],
     limits: &[
@@ -257,7 +290,7 @@ pub static MODEL_C: Profile = Profile {
         Variant {
             parameter: "tools.status.selector",
             read_as: None,
-            difference: "always 2",
+            difference: "always 2. Inferred: It has one layout",
         },
         Variant {
             parameter: "tools.status_short.flags",
@@ -292,6 +325,13 @@ pub static MODEL_C: Profile = Profile {
     ],
 };
 
+#[rustfmt::skip]
+const OLD_1_1: &Evidence =
+    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+#[rustfmt::skip]
+const OLD_1_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
+
 /// Old 1
 ///
 /// Known by its name and number.
@@ -313,8 +353,10 @@ pub static OLD_1: Profile = Profile {
         "No manual is known; see `tools.ping`.",
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] None;
-        0x80 0x02 "measurements.numbers" [] Some("All old devices have it.");
+        0x01 0x01 "tools.ping" [] OLD_1_1;
+        0x80 0x02 "measurements.numbers" [] OLD_1_2;
+    },
+    refuses: supported! {
     },
     base_rates: &[
     ],
@@ -327,6 +369,10 @@ pub static OLD_1: Profile = Profile {
     ack_codes: &[
     ],
 };
+
+#[rustfmt::skip]
+const OLD_2_1: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
 
 /// Old 2
 ///
@@ -349,8 +395,10 @@ pub static OLD_2: Profile = Profile {
         "Nothing is known of its data.",
     ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [] Some("All old devices have it.");
-        0x80 0x02 "measurements.numbers" [] Some("All old devices have it.");
+        0x01 0x01 "tools.ping" [] OLD_2_1;
+        0x80 0x02 "measurements.numbers" [] OLD_2_1;
+    },
+    refuses: supported! {
     },
     base_rates: &[
     ],

@@ -21,7 +21,7 @@ record! {
     ///
     /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported
     /// by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
-    /// C](crate::devices::MODEL_C).
+    /// C](crate::devices::MODEL_C). On the [Model C](crate::devices::MODEL_C): firmware \> 1.0.07.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration; guide: Second acceleration; guide: Third
     /// acceleration.
@@ -58,8 +58,8 @@ record! {
     /// One of each.
     ///
     /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
-    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). May be supported by [Old
-    /// 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). Probably supported by
+    /// [Old 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Numbers.
     #[derive(Copy, Default)]
@@ -271,7 +271,8 @@ record! {
     ///
     /// In one of the sets only, with a descriptor that has another layout in the others.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). On
+    /// the [Model C](crate::devices::MODEL_C): firmware \> 1.0.07.
     ///
     /// Source: guide: Own.
     #[derive(Copy, Default, Eq, Hash)]

@@ -222,7 +222,7 @@ record! {
     /// Tests the line.
     ///
     /// Supported by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B), [Model
-    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1). May be supported by [Old
+    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1). Probably supported by [Old
     /// 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Ping; leaflet: Ping.
@@ -434,7 +434,8 @@ record! {
     pub struct Status {
         /// Which layout.
         ///
-        /// Range: 1 to 2. On the [Model C](crate::devices::MODEL_C): always 2.
+        /// Range: 1 to 2. On the [Model C](crate::devices::MODEL_C): always 2. Inferred: It has one
+        /// layout.
         pub selector: u8,
     }
     wire 3 {
@@ -545,7 +546,7 @@ record! {
     ///
     /// Answered by [`BiasVector`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C). Deprecated on the [Model C](crate::devices::MODEL_C): use
-    /// [`Bias`] instead.
+    /// [`Bias`] instead. On the [Model C](crate::devices::MODEL_C): firmware \>= 1.0, \< 1.1.
     ///
     /// Source: guide: Capture bias.
     #[derive(Copy, Default, Eq, Hash)]
@@ -633,7 +634,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`ChoiceResponse`]. Supported by [Model
-    /// A](crate::devices::MODEL_A).
+    /// A](crate::devices::MODEL_A). Refused by [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Choice.
     pub struct Choice {
@@ -875,8 +876,8 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. Sent by the device; the host
-    /// answers. May be supported by [Model C](crate::devices::MODEL_C). Known only from the Kit of
-    /// names.
+    /// answers. Probably supported by [Model C](crate::devices::MODEL_C). Known only from the Kit
+    /// of names.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy)]
@@ -962,7 +963,7 @@ record! {
     ///
     /// Descriptors of a set that a parameter names, and of one that is always the same.
     ///
-    /// Not listed in any device profile.
+    /// Supported by [Model C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `count`: Number of fields. The number of elements of
     /// [`descriptors`](Poll::descriptors).
@@ -1238,7 +1239,7 @@ field! {
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Probably supported by
     /// [Model C](crate::devices::MODEL_C). Known only from the Kit of names. Uncertain: When it
     /// comes.
     ///
