@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, base, devices, mip_3dm, types
+from mip_protocol import Device, _index, base, devices, mip_3dm, types
 from mip_protocol import profile as profiles
 from mip_tools.cli import device_file, listing
 from mip_tools.errors import Failure
@@ -31,6 +31,7 @@ from program import ENVIRONMENT, PATIENCE, command, mip, running
 from support import ROOT, SPECS, heavy
 
 SPEC = SPECS["real"][0]
+SETS = {number: names[0] for number, names in _index.SETS.items()}
 DAY = "2026-01-31"
 Key = tuple[int, int]
 
@@ -136,6 +137,20 @@ def test_which_model_it_is(title: str, number: int | None, id: str, shown: str) 
     found = device_file.model(listing.Listing(info, ()))
     assert (found.id, found.title) == (id, shown)
     assert listing.Listing(info, ()).firmware == "1.2.02"
+
+
+def test_rates_that_a_device_does_not_tell(tmp_path: Path) -> None:
+    """They are not known, unless the profile of the package has them."""
+    device, known = VirtualDevice(unknown()), VirtualDevice("3dm-gq7")
+    for one in (device, known):
+        one.known -= {(0x0C, 0x0E)}
+    text = device_file.new(facts(device), tmp_path)
+    names = ("sensor", "filter_data", "gnss_1", "gnss_2", "gnss_corrections", "system_data")
+    assert f"\nbase_rates: {{{', '.join(f'{name}: ~' for name in names)}}}\n" in text
+    put(tmp_path, "3dm-xy9-ins", text)
+    assert loaded(tmp_path, "3dm-xy9-ins").base_rates == ()
+    missing = {SETS[n] for n in {s for s, _ in known.known if 0x80 <= s < 0xFF} - known.profile.base_rates.keys()}
+    assert facts(known).rates() == dict.fromkeys(missing)
 
 
 def test_shared_data_that_is_listed_in_data_sets() -> None:
@@ -263,6 +278,14 @@ evidence:
     assert again == text
     later = device_file.Facts(facts("3dm-mv5-ar").model, told(VirtualDevice("3dm-mv5-ar")), "2027-01-01")
     assert device_file.merged(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
+
+
+def test_a_note_is_added_to_a_list_without_one(tmp_path: Path) -> None:
+    device = VirtualDevice(unknown())
+    it = facts(device)
+    old = f"device: {it.model.id}\nevidence:\n  - {{kind: listed, firmware: 7.0.00, fields: {{base: [ping]}}}}\n"
+    text, _ = device_file.merged(it, put(tmp_path, it.model.id, old))
+    assert it.note() and f'note: "{it.note()}"' in text and text.count("kind: listed") == 1
 
 
 def test_rates(tmp_path: Path) -> None:

@@ -24,7 +24,13 @@ def listed(device: VirtualDevice) -> set[tuple[int, int]]:
 
 def said(id: str, *answers: Support) -> set[tuple[int, int]]:
     """What the evidence says, witness by witness."""
-    return {key for e in devices.DEVICES[id].evidence if e.answer in answers for key in e.fields}
+    return {
+        (set, descriptor)
+        for e in devices.DEVICES[id].evidence
+        if e.answer in answers
+        for set, descriptors in e.descriptors.items()
+        for descriptor in descriptors
+    }
 
 
 @pytest.mark.parametrize("id", IDS)
