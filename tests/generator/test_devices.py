@@ -132,9 +132,9 @@ def test_a_further_device_is_one_file(tmp_path: Path) -> None:
 
 def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
     (tmp_path / "devices").mkdir()
-    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [poll]}\n")
+    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [hello]}\n")
     (tmp_path / "devices/c.yaml").write_text("extend: model-c\nsupports: {copy: [health]}\nalso: [See]\n")
-    with pytest.raises(SpecError, match=r"'model-a' already has 'tools\.poll' \(documented\); remove it"):
+    with pytest.raises(SpecError, match=r"'model-a' already has 'tools\.hello' \(documented\); remove it"):
         load_model(SPECS["invented"][0], tmp_path)
     (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
     c = device("model-c", load_model(SPECS["invented"][0], tmp_path))

@@ -110,8 +110,8 @@ _USED = {
     "codec": "OpenEnum single_from_bits single_to_bits",
     "described": "Described",
     "device": "open_port",
-    "devices": "DEVICES",
-    "errors": "DecodeError EncodeError MipError MissingExtra PacketError UnknownName",
+    "devices": "DEVICES identify model_number",
+    "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer PacketError PortClosed Refused UnknownName",
     "field": "Command Data Field Response Structure chosen",
     "info": "EnumInfo",
     "lookup": "device_id",
@@ -119,7 +119,7 @@ _USED = {
     "parameter": "Flag Parameter",
     "parser": "Parser",
     "port": "READ_TIMEOUT",
-    "profile": "Device Port",
+    "profile": "Device Port Support",
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
     "registry": "MODULES all_types types",
@@ -140,8 +140,18 @@ if TYPE_CHECKING:
     from mip_protocol.described import Described
     from mip_protocol.device import Device as DeviceAtPort
     from mip_protocol.device import open_port
-    from mip_protocol.devices import DEVICES
-    from mip_protocol.errors import DecodeError, EncodeError, MipError, MissingExtra, PacketError, UnknownName
+    from mip_protocol.devices import DEVICES, identify, model_number
+    from mip_protocol.errors import (
+        DecodeError,
+        EncodeError,
+        MipError,
+        MissingExtra,
+        NoAnswer,
+        PacketError,
+        PortClosed,
+        Refused,
+        UnknownName,
+    )
     from mip_protocol.field import Command, Data, Field, Response, Structure, chosen
     from mip_protocol.info import EnumInfo
     from mip_protocol.lookup import device_id
@@ -149,7 +159,7 @@ if TYPE_CHECKING:
     from mip_protocol.parameter import Flag, Parameter
     from mip_protocol.parser import Parser
     from mip_protocol.port import READ_TIMEOUT
-    from mip_protocol.profile import Device, Port
+    from mip_protocol.profile import Device, Port, Support
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items
     from mip_protocol.registry import MODULES, all_types, types

@@ -55,7 +55,7 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
-    documents = _documents(spec, LAYOUT, False, problems)
+    documents = overlay.lay([], _documents(spec, LAYOUT, False, problems), problems)
     _strays(spec, LAYOUT, problems)
     for folder in overlays:
         more = _documents(folder, OVERLAY, True, problems)
@@ -122,7 +122,7 @@ def _key(path: Path, kind: str, over: bool) -> str:
 def _schema(kind: str, root: Node, over: bool) -> str:
     """Which schema judges a file: one that extends another, or has several devices, has its own."""
     extension = f"{kind}_extension"
-    if over and "extend" in root and extension in overlay.EXTENSIONS:
+    if (over or extension in overlay.WITHIN) and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
     if kind == "witness" and "layouts" not in root:
         return ACCEPTED

@@ -1,7 +1,8 @@
 """Overlays: folders that add sets, fields, types and devices to a specification without changing its files.
 
 An overlay has the subfolders of a specification. A set file or a device file that begins with `extend: NAME` adds
-to an existing set or device; `overlay.yaml` adds units and frames.
+to an existing set or device; `overlay.yaml` adds units and frames. Such a device file may also belong to the
+specification itself.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ EXTENSIONS = {
          "limits", "notes", "varies", "incomplete", "uncertain"),
     ),
 }  # fmt: skip
+
+#: Those that a specification may have, too: what a device tells of itself is a file of its own.
+WITHIN = ("device_extension",)
 
 
 def lay(documents: list[Document], over: list[Document], problems: Problems) -> list[Document]:
@@ -66,7 +70,8 @@ def _with_parts(root: Node, extension: Node, parts: tuple[str, ...], problems: P
     for part in parts:
         if part in extension:
             keys.setdefault(part, extension.keys[part])
-            value[part] = _joined(value[part], extension[part], problems) if part in value else extension[part]
+            join = AGAIN.get(part, _joined)
+            value[part] = join(value[part], extension[part], problems) if part in value else extension[part]
     return replace(root, value=value, keys=keys)
 
 
@@ -81,5 +86,31 @@ def _joined(base: Node, more: Node, problems: Problems) -> Node:
         elif isinstance(node.value, list) and isinstance(value[key].value, list):
             value[key] = _joined(value[key], node, problems)
         else:
-            problems.add(more.keys[key], f"'{key}' is already given at {value[key].position}; an overlay can only add")
+            place = value[key].position
+            problems.add(more.keys[key], f"'{key}' is already given at {place}; an extension can only add")
     return replace(base, value=value, keys=keys)
+
+
+def _joined_rates(base: Node, more: Node, problems: Problems) -> Node:
+    """The rates of both. The same rate may be given again, and one that is not known (`~`) says nothing."""
+    new = {key: node for key, node in more.items() if key not in base or node.value not in (None, base[key].value)}
+    kept = {key: node for key, node in base.items() if key not in new or node.value is not None}
+    return _joined(replace(base, value=kept), replace(more, value=new), problems)
+
+
+def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
+    """The ports of both. The same port may be given again."""
+    known = {port["name"].value: port for port in base}
+    new = []
+    for port in more:
+        earlier = known.get(port["name"].value)
+        if earlier is None:
+            new.append(port)
+        elif earlier.plain() != port.plain():
+            name = port["name"].value
+            problems.add(port.position, f"the port '{name}' is another one at {earlier.position}; correct one of them")
+    return replace(base, value=[*base.value, *new])
+
+
+#: What may be said again, if it is the same: a device that is asked tells all that it knows.
+AGAIN = {"base_rates": _joined_rates, "ports": _joined_ports}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
@@ -47,6 +48,31 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
 
 def _strength(kind: str) -> int:
     return list(m.EVIDENCE).index(kind)
+
+
+def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
+    """Each once, the strongest first."""
+    return tuple(dict.fromkeys(sorted(evidence, key=lambda e: _strength(e.kind))))
+
+
+def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
+    """What is wrong if two witnesses name a field. A device may list again what others say, and so may it with another
+    firmware."""
+    listed = [e.kind for e in (a, b)].count("listed")
+    if listed == 1 and "refused" in (a.kind, b.kind) and a.firmware == b.firmware and a.firmware is not None:
+        return f"'{name}' is listed and refused by the firmware {a.firmware}; remove one"
+    if listed == 0 or (listed == 2 and a.firmware == b.firmware):
+        return f"'{name}' is listed twice; remove one"
+    return None
+
+
+def _number(set: str) -> int | None:
+    """Of a set that has no name.
+
+    >>> _number("0x0F"), _number("0x00"), _number("rtk")
+    (15, None, None)
+    """
+    return (int(set, 16) or None) if re.fullmatch("0x[0-9A-Fa-f]{2}", set) else None
 
 
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
@@ -130,7 +156,8 @@ class _Device:
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
-        known = self.known()
+        said = list(self.listed())
+        known = self.known(said)
         supports = tuple(s for s in known if s.evidence.answer != "no")
         self.check_varies(supports)
         like = node.scalar("like")
@@ -145,7 +172,7 @@ class _Device:
             manual=manual.value if manual else None,
             sources=sources(node, self.types.vocabulary, self.problems),
             like=like if like in self.types.vocabulary.devices else None,
-            evidence=tuple(dict.fromkeys(s.evidence for s in sorted(known, key=lambda s: _strength(s.evidence.kind)))),
+            evidence=_by_strength([*(s.evidence for s in known), *(e for _, e in said if e.undefined)]),
             supports=supports,
             refuses=tuple(s for s in known if s.evidence.answer == "no"),
             base_rates=self.rates(supports),
@@ -220,21 +247,28 @@ class _Device:
         """What the device has and the specification has not."""
         known = {s.name: s for s in self.model.sets}
         for name, entries in node.items():
-            if name not in known:
-                self.problems.add(node.keys[name], f"unknown set '{name}'{nearest(name, known)}")
+            number = known[name].number if name in known else _number(name)
+            of = next((s.name for s in self.model.sets if s.number == number), None)
+            if number is None:
+                near = f"{nearest(name, known)}; of a set that is not defined, write the number, such as 0x0F"
+                self.problems.add(node.keys[name], f"unknown set '{name}'{near}")
                 continue
-            number = known[name].number
+            if of not in (name, None):
+                self.problems.add(node.keys[name], f"the set {name} is defined; write '{of}'")
+                continue
             for entry in entries:
                 for f in self.model.candidates(number, entry.value):
                     remedy = f"write '{f.name}' in fields"
                     self.problems.add(entry.position, f"0x{entry.value:02X} of '{name}' is defined; {remedy}")
                 yield number, entry.value
 
-    def known(self) -> tuple[m.Support, ...]:
-        """All that is said of fields, also that it does not have them, by set and descriptor."""
+    def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
+        """All that is said of fields, also that it does not have them, by set and descriptor; the strongest evidence
+        for each."""
         supports: dict[str, m.Support] = {}
+        witnesses: dict[str, list[m.Evidence]] = {}
         functions, deprecated, firmware = self.functions(), self.node.get("deprecated"), self.node.get("firmware")
-        for node, evidence in self.listed():
+        for node, evidence in said:
             for set_name, entries in node.items():
                 of = next((s for s in self.model.sets if s.name == set_name), None)
                 if of is None:
@@ -246,14 +280,18 @@ class _Device:
                     f, full = known.get(entry.value), f"{set_name}.{entry.value}"
                     if f is None:
                         self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
-                    elif full in supports:
-                        self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
-                    else:
+                        continue
+                    before = witnesses.setdefault(full, [])
+                    twice = next(filter(None, (_twice(full, e, evidence) for e in before)), None)
+                    if twice is not None:
+                        self.problems.add(entry.position, twice)
+                    elif all(_strength(evidence.kind) < _strength(e.kind) for e in before):
                         own = functions.get(full)
                         taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
                         instead = deprecated.scalar(full) if deprecated else None
                         since = next((firmware.scalar(x) for x in (full, set_name) if firmware and x in firmware), None)
                         supports[full] = m.Support(f, of.number, taken, evidence, since, instead)
+                    before.append(evidence)
         sets = {full.partition(".")[0] for full in supports}
         for key in ("functions", "deprecated", "firmware"):
             for full, _ in self.node[key].items() if key in self.node else ():
@@ -301,6 +339,13 @@ class _Device:
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
         """Variations belong to fields that the device supports; those that need one per device have it."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
+        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list says nothing of readings
+        untold = {
+            f.full_name
+            for s in supports
+            if s.field.full_name not in told
+            for f in (s.field, *self.model.responses(s.field))
+        }
         known = {f.name_in(o.set) for f in (self.model.protocol.acknowledge, *fields) for o in f.occurrences}
         for path in self.node["varies"].value if "varies" in self.node else ():
             name = path.rpartition(".")[0]
@@ -308,7 +353,8 @@ class _Device:
                 self.unsupported("varies", path, name)
         for f in {f.full_name: f for f in fields}.values():
             for p in f.parameters:
-                self.check_reading(f, p)
+                if f.full_name not in untold:
+                    self.check_reading(f, p)
                 self.check_valid(f, p)
 
     def own(self, p: m.Parameter) -> m.Variant | None:

@@ -5,7 +5,7 @@ A profile is inherited as nodes, before anything in it is resolved, so that ever
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, replace
 
 from mipgen import model as m
@@ -131,7 +131,8 @@ class _Heir:
         added = _listed(self.own.get("supports"))
         for full, entry in added:
             self.check_new(full, entry, lacked, "documented")
-        out = lacked | {full for full, _ in added} | {*_kinds(self.own)}
+        own = {full for full, kind in _kinds(self.own).items() if kind != "listed"}  # may be both: documented counts
+        out = lacked | {full for full, _ in added} | own
         for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
             by_set.setdefault(full.partition(".")[0], []).append(entry)
         keys: dict[str, m.Position] = {}
@@ -143,15 +144,41 @@ class _Heir:
         """The same for other evidence: what is known of the device itself takes the place of what is inherited."""
         for kind, full, entry in _evident(self.own):
             self.check_new(full, entry, lacked, kind)
-        own = {*_fields(self.own.get("supports")), *_kinds(self.own)}
-        return self.listed(
-            "evidence", [*_left(self.parent.get("evidence"), lacked | own), *(self.own.get("evidence") or ())]
-        )
+        kinds = _kinds(self.own)
+        again = {full for full, kind in kinds.items() if kind == "listed"}  # does not weaken what is documented
+        left = []
+        for group in self.inherited():
+            out = lacked | (kinds.keys() - again if group["kind"].value == "documented" else kinds.keys())
+            left += _left(group, out)
+        return self.listed("evidence", [*left, *(self.own.get("evidence") or ())])
+
+    def inherited(self) -> Iterator[Node]:
+        """The evidence of the other. What another device lists itself, and nobody else says, this one has probably."""
+        if "family" in self.parent:
+            yield from self.parent.get("evidence") or ()
+            return
+        said = _evident(self.parent)
+        lists = {full for kind, full, _ in said if kind == "listed"}
+        others = {full for kind, full, _ in said if kind not in ("listed", "refused")} | {
+            *_fields(self.parent.get("supports"))
+        }
+        for group in self.parent.get("evidence") or ():
+            if group["kind"].value != "listed":
+                yield from _left(group, lists if group["kind"].value == "refused" else set())
+                continue
+            for kept in _left(group, others):
+                yield self.of_sister(kept)
+            others |= {*_fields(group["fields"])}
+
+    def of_sister(self, group: Node) -> Node:
+        kind, name = (replace(group["kind"], value=word) for word in ("sister", self.like))
+        kept = {key: node for key, node in group.items() if key not in ("firmware", "date", "undefined")}
+        return replace(group, value={**kept, "kind": kind, "of": replace(name, value=[name])})
 
     def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
-        """What is said of a field must be more than is inherited: stronger, or the contrary."""
+        """What is said of a field must be more than is inherited: stronger, or the contrary. A device lists all."""
         inherited = _kinds(self.parent).get(full)
-        if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused"):
+        if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
         known = list(m.EVIDENCE)
         if known.index(kind) >= known.index(inherited):
@@ -227,22 +254,19 @@ def _evident(node: Node) -> list[tuple[str, str, Node]]:
 
 
 def _kinds(node: Node) -> dict[str, str]:
-    """Full name of each field that a profile names -> kind of the evidence."""
+    """Full name of each field that a profile names -> kind of the strongest evidence."""
+    weakest_first = sorted(_evident(node), key=lambda said: list(m.EVIDENCE).index(said[0]), reverse=True)
     return {
-        **{full: kind for kind, full, _ in _evident(node)},
+        **{full: kind for kind, full, _ in weakest_first},
         **dict.fromkeys(_fields(node.get("supports")), "documented"),
     }
 
 
-def _left(groups: Node | None, out: set[str]) -> list[Node]:
-    """The evidence without some fields."""
-    left = []
-    for group in groups or ():
-        fields = {}
-        for name, entries in group["fields"].items():
-            kept = [x for x in entries if f"{name}.{x.value}" not in out]
-            if kept:
-                fields[name] = replace(entries, value=kept)
-        if fields:
-            left.append(replace(group, value={**group.value, "fields": replace(group["fields"], value=fields)}))
-    return left
+def _left(group: Node, out: Set[str]) -> list[Node]:
+    """An entry of the evidence without some fields; none if nothing is left."""
+    fields = {}
+    for name, entries in group["fields"].items():
+        kept = [x for x in entries if f"{name}.{x.value}" not in out]
+        if kept:
+            fields[name] = replace(entries, value=kept)
+    return [replace(group, value={**group.value, "fields": replace(group["fields"], value=fields)})] if fields else []

@@ -17,7 +17,7 @@ from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
-from .profiles import device_named, port_named
+from .profiles import certain, device_named, port_named
 from .serve import Server
 
 _KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
@@ -45,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("device", nargs="?", metavar="DEVICE", help="which device, as listed by --list")
     add("--list", action="store_true", help="list the devices and end")
+    add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
     add(
@@ -98,7 +99,8 @@ def run(options: argparse.Namespace) -> int:
             incomplete = f" (incomplete: {_known(known)})" if known.incomplete else ""
             print(f"{known.id:<{width}}  {known.title}{incomplete}")
         return 0
-    profile = _profile(options.device)
+    whole = _profile(options.device)
+    profile = certain(whole) if options.certain else whole
     endpoints = _endpoints(options, profile)
     if options.log_packets and options.fault_log is None:
         raise Misuse("--log-packets needs a file; add --fault-log FILE")
@@ -117,6 +119,7 @@ def run(options: argparse.Namespace) -> int:
         )
         stack.enter_context(signals.handled(lambda number, frame: server.stop()))
         stack.enter_context(server)
+        _complain(_evidence(whole, options.certain))
         if profile.incomplete:
             _complain(
                 f"the profile of {profile.title} is incomplete ({_known(profile)}): " + " ".join(profile.incomplete)
@@ -164,6 +167,13 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     if not plans and log is None:
         return None
     return Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
+
+
+def _evidence(profile: Device, certain: bool) -> str:
+    """How much of a profile is certain."""
+    sure, probable = len(profile.certain), len(profile.fields - profile.certain)
+    left_out = " and left out" if certain and probable else ""
+    return f"{profile.title}: {sure} commands and data fields are certain, {probable} probable{left_out}"
 
 
 def _known(profile: Device) -> str:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import difflib
+from dataclasses import replace
 
-from ..binding import DEVICES, Device, Port
+from ..binding import DEVICES, Device, Port, Support
 from ..errors import Misuse
 
 
@@ -20,6 +21,11 @@ def device_named(name: str) -> Device:
     return names[wanted]
 
 
+def certain(profile: Device) -> Device:
+    """A device with only those commands and data that it has without a doubt."""
+    return replace(profile, evidence=tuple(e for e in profile.evidence if e.answer is not Support.PROBABLE))
+
+
 def port_named(profile: Device, name: str) -> Port:
     """A port of a device; case, spaces and underscores do not matter. Raises Failure."""
     for port in profile.ports:
@@ -33,4 +39,4 @@ def _plain(name: str) -> str:
     return name.lower().replace("_", "").replace(" ", "")
 
 
-__all__ = ["device_named", "port_named"]
+__all__ = ["certain", "device_named", "port_named"]

@@ -1,0 +1,101 @@
+"""docs/contribute-a-device.md: its commands run as they are, at a virtual device, and write the file that it shows."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from support import PYTHONPATH, ROOT
+
+PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")
+PATIENCE = 120
+
+
+def commands(section: str) -> list[str]:
+    text = re.sub(
+        r"```.*?```", "", f"\n## \n{PAGE}".partition(f"\n## {section}\n")[2].partition("\n## ")[0], flags=re.S
+    )
+    found = re.findall(r"^    (\S.*)$", text, re.M)
+    assert found, section
+    return found
+
+
+@pytest.fixture
+def device() -> Iterator[str]:
+    words = [sys.executable, "-m", "mip_tools", "simulate", "3dm-gx4-25", "--tcp", "0"]
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    process = subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    assert process.stdout is not None
+    yield process.stdout.readline().strip()
+    process.terminate()
+    process.communicate(timeout=PATIENCE)
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A copy of the specification, with the programs in a folder of their own and a repository."""
+    folder = tmp_path / "project"
+    shutil.copytree(ROOT / "spec", folder / "spec")
+    (tmp_path / "bin").mkdir()
+    for name in ("mip_tools", "mipgen"):
+        path = tmp_path / "bin" / name.partition("_")[0]
+        path.write_text(f'#!/bin/sh\nexec {shlex.join([sys.executable, "-m", name])} "$@"\n')
+        path.chmod(0o755)
+    subprocess.run(["git", "init", "-q"], cwd=folder, check=True)
+    return folder
+
+
+def run(command: str, folder: Path) -> str:
+    paths = os.pathsep.join((PYTHONPATH, str(ROOT / "generator")))
+    name = {f"GIT_{who}_{what}": "a@b.example" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    environment = {
+        **os.environ, **name, "PYTHONPATH": "" if "--package" in command else paths,
+        "PATH": f"{folder.parent}/bin:{os.environ['PATH']}",
+    }  # fmt: skip
+    if "--package" in command:
+        environment["PYTHONPATH"] = str(ROOT / "tools")
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=folder, env=environment, capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert done.returncode == 0, (command, done.stderr)
+    return done.stdout + done.stderr
+
+
+def test_two_commands(device: str, project: Path) -> None:
+    ask, validate = commands("")
+    assert ask.startswith("mip profile /dev/ttyACM0 ") and validate == "mipgen validate"
+    run(ask.replace("/dev/ttyACM0", device), project)
+    written = (project / "spec/devices/3dm-gx4-25.yaml").read_text("utf-8")
+    (shown,) = re.findall(r"```yaml\n(.*?)```", PAGE, re.S)
+    first, last = shown.split("      # … and so on for each set\n")
+    written = re.sub(r"date: \S+", "date: 2026-01-31", written)
+    assert written.startswith(first) and written.endswith(last)
+    assert re.search(r"; \d+ devices, ", run(validate, project))
+    for command in commands("Send it"):
+        run(command, project)
+    listed = subprocess.run(["git", "ls-files"], cwd=project, capture_output=True, text=True, check=True).stdout
+    assert "spec/devices/3dm-gx4-25.yaml" in listed
+
+
+def test_used_right_away(device: str, project: Path) -> None:
+    folder, ask, generate, simulate = commands("Use it right away")
+    for command in (folder, ask.replace("/dev/ttyACM0", device), generate):
+        run(command, project)
+    said = run(simulate, project)
+    fields = (project / "mine/devices/3dm-gx4-25.yaml").read_text("utf-8").partition("fields:")[2]
+    number = len(re.findall(r"[a-z_0-9]+(?=[],])", fields.partition("base_rates")[0]))
+    assert f"3DM-GX4-25: {number} commands and data fields are certain, 0 probable\n" in said
+
+
+def test_it_is_found() -> None:
+    readme = (ROOT / "README.md").read_text("utf-8")
+    assert readme.count("](docs/contribute-a-device.md)") >= 2
+    for page in ("docs/mip.md", "spec/README.md"):
+        assert "contribute-a-device.md)" in (ROOT / page).read_text("utf-8")

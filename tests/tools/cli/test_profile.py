@@ -1,0 +1,593 @@
+"""`mip profile`: what a device tells of itself, as a file that mipgen takes, also into a file of a person."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterable
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import Device, _index, base, devices, mip_3dm, types
+from mip_protocol import profile as profiles
+from mip_tools.cli import device_file, listing
+from mip_tools.errors import Failure
+from mip_tools.simulator import LivePort, VirtualDevice
+from mip_tools.simulator.fault_kinds import parse_faults
+from mip_tools.simulator.faults import Faults
+from mipgen import model as m
+from mipgen.resolve.load import load_model
+from program import ENVIRONMENT, PATIENCE, command, mip, running
+from support import ROOT, SPECS, heavy
+
+SPEC = SPECS["real"][0]
+SETS = {number: names[0] for number, names in _index.SETS.items()}
+DAY = "2026-01-31"
+Key = tuple[int, int]
+
+
+def told(device: VirtualDevice) -> listing.Listing:
+    with Device(LivePort(device, speed=50)) as link:
+        return listing.ask(link, "PORT")
+
+
+def facts(device: VirtualDevice | str) -> device_file.Facts:
+    it = told(VirtualDevice(device) if isinstance(device, str) else device)
+    return device_file.Facts(device_file.model(it), it, DAY)
+
+
+def unknown(**changes: Any) -> profiles.Device:
+    """A device that no package knows: a GQ7 with another number and name."""
+    of = devices.DEVICES["3dm-gq7"]
+    return replace(of, **{"title": "3DM-XY9: INS", "model_number": 6999, **changes})
+
+
+def loaded(folder: Path, id: str) -> m.Device:
+    """A device as mipgen reads it, with the folder over the specification."""
+    found = load_model(SPEC, folder).device(id)
+    assert found is not None
+    return found
+
+
+def put(folder: Path, id: str, text: str) -> Path:
+    path = folder / "devices" / f"{id}.yaml"
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(text.encode())
+    return path
+
+
+# --------------------------------------------------------------------------- a new file
+
+
+def test_the_file_of_a_model_that_is_known() -> None:
+    assert device_file.new(facts("3dm-mv5-ar"), SPEC.parent) == (
+        "extend: 3dm-mv5-ar\n"
+        "evidence:\n"
+        "  - kind: listed\n"
+        "    firmware: 5.0.00\n"
+        "    date: 2026-01-31\n"
+        "    fields:\n"
+        "      base: [ping, set_idle, get_device_info, get_device_descriptors, resume]\n"
+        "      3dm: [data_stream_control]\n"
+    )
+
+
+def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
+    device = VirtualDevice(unknown())
+    device.known |= {(0x80, 0x7E), (0x3F, 0x01), (0x3F, 0x02)}
+    it = facts(device)
+    text = device_file.new(it, tmp_path)
+    assert text.startswith(
+        "device: 3dm-xy9-ins\n"
+        "name: xy9_ins\n"
+        'title: "3DM-XY9: INS"\n'
+        "model_number: 6999\n"
+        "description: Device with the model number 6999.\n"
+        "incomplete: [Only what the device itself told is known.]\n"
+        "evidence:\n"
+        "  - kind: listed\n"
+    )
+    assert "    undefined:\n      0x3F: [0x01, 0x02]\n      sensor: [0x7E]\n" in text
+    put(tmp_path, "3dm-xy9-ins", text)
+    made = loaded(tmp_path, "3dm-xy9-ins")
+    assert {(s.set, s.field.descriptor) for s in made.certain} == devices.DEVICES["3dm-gq7"].fields
+    assert not made.probable and made.incomplete and made.model_number == 6999
+    assert [e.undefined for e in made.evidence] == [((0x3F, 0x01), (0x3F, 0x02), (0x80, 0x7E))]
+    assert made.ports == ()  # it has no command that tells the protocols
+    assert made.evidence[0].note == "Main was set to 115200 Bd."
+
+
+def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
+    of = devices.DEVICES["3dm-cv7-gnss-ins"]
+    device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
+    put(tmp_path, "3dm-xy8", device_file.new(facts(device), tmp_path))
+    made = loaded(tmp_path, "3dm-xy8")
+    assert {p.id: p.name for p in made.ports} == {p.id: p.name for p in of.ports}
+    (first,) = (p for p in made.ports if p.name == "UART 1")
+    assert first.baud_rates == (115200,) and {*first.receives} >= {"MIP"} and {*first.sends} >= {"MIP"}
+    (closed,) = (p for p in made.ports if p.name == "UART 2")
+    assert (closed.receives, closed.sends) == ((), ())  # as it was
+    assert {r.set.number: r.hertz for r in made.base_rates} == {**of.base_rates, 0x93: 0, 0x94: 0}
+    assert "UART 2 is given with the settings that it had." in made.certain[0].evidence.note
+
+
+@pytest.mark.parametrize(
+    ("title", "number", "id", "shown"),
+    [
+        ("3DM-GQ7-GNSS/INS", 6284, "3dm-gq7", "3DM-GQ7-GNSS/INS"),
+        ("Something", 6284, "3dm-gq7", "3DM-GQ7-GNSS/INS"),  # the number says what it is
+        ("3DM-GQ7-GNSS/INS", 6997, "3dm-gq7-gnss-ins-6997", "3DM-GQ7-GNSS/INS (6997)"),  # another device of this name
+        ("3dm-gx5-25", None, "3dm-gx5-25", "3DM-GX5-25"),
+        ("  ", 6997, "model-6997", "Model 6997"),
+        ("\x00\x07Ä 1", None, "1", "Ä 1"),
+    ],
+)
+def test_which_model_it_is(title: str, number: int | None, id: str, shown: str) -> None:
+    info = base.BaseDeviceInfo(1202, title, f"{number or 0:04}-4220", "0000.12345", "", "")
+    found = device_file.model(listing.Listing(info, ()))
+    assert (found.id, found.title) == (id, shown)
+    assert listing.Listing(info, ()).firmware == "1.2.02"
+
+
+def test_rates_that_a_device_does_not_tell(tmp_path: Path) -> None:
+    """They are not known, unless the profile of the package has them."""
+    device, known = VirtualDevice(unknown()), VirtualDevice("3dm-gq7")
+    for one in (device, known):
+        one.known -= {(0x0C, 0x0E)}
+    text = device_file.new(facts(device), tmp_path)
+    names = ("sensor", "filter_data", "gnss_1", "gnss_2", "gnss_corrections", "system_data")
+    assert f"\nbase_rates: {{{', '.join(f'{name}: ~' for name in names)}}}\n" in text
+    put(tmp_path, "3dm-xy9-ins", text)
+    assert loaded(tmp_path, "3dm-xy9-ins").base_rates == ()
+    missing = {SETS[n] for n in {s for s, _ in known.known if 0x80 <= s < 0xFF} - known.profile.base_rates.keys()}
+    assert facts(known).rates() == dict.fromkeys(missing)
+
+
+def test_shared_data_that_is_listed_in_data_sets() -> None:
+    """As devices do: 0x80D3 and 0x82D3, and not 0xFFD3."""
+    device = VirtualDevice("3dm-gq7")
+    own = {key for key in device.known if key[0] != 0xFF}
+    device.known = frozenset(own | {(0x80, 0xD3), (0x82, 0xD3), (0x01, 0xF1), (0x01, 0x81)})
+    it = facts(device)
+    assert it.fields()["shared"] == ["gps_timestamp"] and not it.undefined()
+    assert "Shared data is listed in 0x80, 0x82 only." in it.note()
+    assert "get_device_info_response" not in it.fields()["base"]
+
+
+# --------------------------------------------------------------------------- a file that is there
+
+
+EXTENSION = """\
+# What I know of mine.
+extend: 3dm-mv5-ar   # the old one
+
+evidence:
+  # by hand
+  - kind: software          # our own
+    fields: {sensor: [scaled_accel]}     # seen
+
+  - kind: listed
+    firmware: 1.0.00
+    fields:
+      base:
+        - ping   # of course
+base_rates: {sensor: 100, # measured
+}
+notes:
+- name: one
+  title: One
+  description: >
+    A text
+    of two lines.   # no comment
+# the end"""
+BLOCK = """\
+  - kind: listed
+    firmware: 5.0.00
+    date: 2026-01-31
+    fields:
+      base: [ping, set_idle, get_device_info, get_device_descriptors, resume]
+      3dm: [data_stream_control]
+"""
+FLOW = (
+    "{kind: listed, firmware: 5.0.00, date: 2026-01-31, fields: {base: [ping, set_idle, get_device_info, "
+    "get_device_descriptors, resume], 3dm: [data_stream_control]}}"
+)
+
+
+def merged(text: str, folder: Path, device: VirtualDevice | str = "3dm-mv5-ar") -> tuple[str, dict[str, str]]:
+    return device_file.merged(facts(device), put(folder, "3dm-mv5-ar", text))
+
+
+def test_a_file_of_a_person_keeps_its_words(tmp_path: Path) -> None:
+    text, contradictions = merged(EXTENSION, tmp_path)
+    assert text == EXTENSION.replace("base_rates:", f"{BLOCK}base_rates:") and not contradictions
+
+
+@pytest.mark.parametrize(
+    ("text", "made"),
+    [
+        ("extend: 3dm-mv5-ar\n", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}"),
+        ("extend: 3dm-mv5-ar", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}".rstrip("\n")),
+        ("extend: 3dm-mv5-ar\n\n# end\n", f"extend: 3dm-mv5-ar\nevidence:\n{BLOCK}\n# end\n"),
+        (
+            "extend: 3dm-mv5-ar\nevidence:\n- {kind: software, fields: {sensor: [scaled_accel]}}  # a\n# b\n",
+            "extend: 3dm-mv5-ar\nevidence:\n- {kind: software, fields: {sensor: [scaled_accel]}}  # a\n"
+            + BLOCK.replace("  - ", "- ").replace("\n    ", "\n  ")
+            + "# b\n",
+        ),
+        (
+            "extend: 3dm-mv5-ar\nevidence: [{kind: software, fields: {sensor: [scaled_accel]}}, # a\n]\n",
+            f"extend: 3dm-mv5-ar\nevidence: [{{kind: software, fields: {{sensor: [scaled_accel]}}}}, {FLOW}, # a\n]\n",
+        ),
+        (
+            "{extend: 3dm-mv5-ar, }\n",
+            f"{{extend: 3dm-mv5-ar, evidence: [{FLOW}], }}\n",
+        ),
+    ],
+)
+def test_layouts(tmp_path: Path, text: str, made: str) -> None:
+    assert merged(text, tmp_path)[0] == made
+    crlf = text.replace("\n", "\r\n")
+    assert merged(crlf, tmp_path)[0] == (made.replace("\n", "\r\n") if "\r\n" in crlf else made)
+
+
+def test_only_the_list_of_the_same_firmware_is_replaced(tmp_path: Path) -> None:
+    old = """\
+extend: 3dm-mv5-ar
+evidence:
+  - kind: listed # first
+    # mine
+    firmware: 5.0.00
+    sources:
+      - {manual: mscl, section: Issue 1}
+    note: "Kept: as it is."
+    fields: {base: [ping]} # last
+  - {kind: listed, firmware: 4.0.00, fields: {base: [ping]}}
+"""
+    text, _ = merged(old, tmp_path)
+    assert (
+        text
+        == """\
+extend: 3dm-mv5-ar
+evidence:
+  # first
+  # mine
+  - kind: listed
+    firmware: 5.0.00
+    date: 2026-01-31
+    sources:
+      - {manual: mscl, section: Issue 1}
+    note: "Kept: as it is."
+    fields:
+      base: [ping, set_idle, get_device_info, get_device_descriptors, resume]
+      3dm: [data_stream_control] # last
+  - {kind: listed, firmware: 4.0.00, fields: {base: [ping]}}
+"""
+    )
+    again, _ = merged(text, tmp_path)
+    assert again == text
+    later = device_file.Facts(facts("3dm-mv5-ar").model, told(VirtualDevice("3dm-mv5-ar")), "2027-01-01")
+    assert device_file.merged(later, tmp_path / "devices/3dm-mv5-ar.yaml")[0] == text  # the same list: the same day
+
+
+def test_a_note_is_added_to_a_list_without_one(tmp_path: Path) -> None:
+    device = VirtualDevice(unknown())
+    it = facts(device)
+    old = f"device: {it.model.id}\nevidence:\n  - {{kind: listed, firmware: 7.0.00, fields: {{base: [ping]}}}}\n"
+    text, _ = device_file.merged(it, put(tmp_path, it.model.id, old))
+    assert it.note() and f'note: "{it.note()}"' in text and text.count("kind: listed") == 1
+
+
+def test_rates(tmp_path: Path) -> None:
+    """What is new is added, `~` is filled, and what contradicts is said with its place and left as it is."""
+    old = "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 999  # measured\n  filter_data: ~\n"
+    it = facts("3dm-gx5-15")
+    path = put(tmp_path, "3dm-gx5-15", old)
+    text, contradictions = device_file.merged(it, path)
+    assert text.startswith(old.replace("~", "500"))
+    said = f"{path}:3:11: the device says 1000 Hz for sensor, not 999; the file is kept"
+    assert contradictions == {"sensor": said}
+    text, _ = device_file.merged(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates: {sensor: 1e3}\n"))
+    assert "\nbase_rates: {sensor: 1e3, filter_data: 500}\n" in text
+    text, _ = device_file.merged(it, put(tmp_path, "3dm-gx5-15", "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 1000\n"))
+    assert "\nbase_rates:\n  sensor: 1000\n  filter_data: 500\nevidence:\n" in text
+
+
+def test_ports(tmp_path: Path) -> None:
+    of = devices.DEVICES["3dm-cv7-gnss-ins"]
+    device = VirtualDevice(replace(of, title="3DM-XY8", model_number=6998))
+    it = facts(device)
+    whole = device_file.new(it, tmp_path)
+    kept = whole.partition("ports:\n")[0]
+    mine = "  - {name: UART 1, id: 0x12, baud_rates: [9600], receives: [], sends: []}\n"
+    path = put(tmp_path, "3dm-xy8", f"{kept}ports:\n{mine}")
+    text, contradictions = device_file.merged(it, path)
+    line = text[: text.index(mine)].count("\n") + 1
+    said = f"{path}:{line}:5: the device calls the port UART "
+    assert mine in text and [*contradictions] == ["UART 1", "UART 2"]
+    assert all(x.startswith(said) for x in contradictions.values())
+    assert re.findall(r"^  - \{name: ([^,]*),", text, re.M) == ["UART 1", "Main", "UART 3", "USB 1", "USB 2"]
+
+
+#: What may have become more: lists and mappings in brackets, rates that were not known.
+MORE = {"]": r".*\]", "}": r".*\}", "~": r"(~|\d+)"}
+
+
+def wholes() -> Iterable[str]:
+    """The devices that have a file of their own in the specification."""
+    return [p.stem for p in sorted(SPEC.glob("devices/*.yaml")) if f"\ndevice: {p.stem}\n" in p.read_text("utf-8")]
+
+
+def test_profiles_of_the_specification(tmp_path: Path) -> None:
+    """A list goes into every profile that people wrote: nothing is removed, and mipgen takes all of it."""
+    spec = tmp_path / "spec"
+    shutil.copytree(SPEC, spec)
+    lines, found = 0, list(wholes())
+    assert len(found) > 5
+    for id in found:
+        path = spec / f"devices/{id}.yaml"
+        before = path.read_text("utf-8")
+        text, contradictions = device_file.merged(facts(id), path)
+        assert not contradictions, id
+        rest = iter(text.splitlines())
+        for line in before.splitlines():  # in this order; there may be more in brackets, and a rate that was not known
+            now = "".join(MORE.get(c, re.escape(c)) for c in line)
+            assert any(line == x or re.fullmatch(now, x) for x in rest), (id, line)
+        lines += len(text.splitlines()) - len(before.splitlines())
+        path.write_text(text, "utf-8")
+    made = load_model(spec)
+    for id in found:
+        of, kept = made.device(id), devices.DEVICES[id]
+        assert of is not None and {(s.set, s.field.descriptor) for s in of.certain} == kept.fields, id
+        assert {r.set.number: r.hertz for r in of.base_rates}.items() >= kept.base_rates.items(), id
+    assert lines > 100
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            "extend: 3dm-gq7\n",
+            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7', and the device is '3dm-mv5-ar'; rename the file",
+        ),
+        ("a: 1\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor `device: 3dm-mv5-ar`; "),
+        ("devices:\n  - {device: x}\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor "),
+        ("", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
+        ("- a\n", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
+        ("extend: [\n", "3dm-mv5-ar.yaml:2:1: not YAML: "),
+        ("extend: \x07\n", "3dm-mv5-ar.yaml: not YAML: "),
+        ("extend: 3dm-mv5-ar\nevidence: {}\n", "3dm-mv5-ar.yaml:2:11: 'evidence' must be a list; "),
+        ("extend: 3dm-mv5-ar\nevidence:\n", "3dm-mv5-ar.yaml:2:10: 'evidence' must be a list; "),
+    ],
+)
+def test_files_that_cannot_be_added_to(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(Failure) as caught:
+        merged(text, tmp_path)
+    assert message in str(caught.value)
+    assert (tmp_path / "devices/3dm-mv5-ar.yaml").read_text("utf-8") == text
+
+
+def test_a_device_of_another_file_is_extended(tmp_path: Path) -> None:
+    """One that the specification knows and the package does not, yet."""
+    put(tmp_path, "mine", "devices:\n  - device: 3dm-xy9-ins\n    name: xy9\n    title: XY9\n    description: Mine.\n")
+    assert device_file.new(facts(VirtualDevice(unknown())), tmp_path).startswith("extend: 3dm-xy9-ins\n")
+
+
+# --------------------------------------------------------------------------- the device
+
+
+def streaming(profile: profiles.Device | str = "3dm-cv7-gnss-ins") -> VirtualDevice:
+    device = VirtualDevice(profile)
+    link = device.connect()
+    rates = (types.DescriptorRate(4, 10),)
+    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates).packet()))
+    link.write(bytes(mip_3dm.DataStreamControl.write(0x80, True).packet()))
+    device.advance(0.1)
+    device.disconnect(link)
+    return device
+
+
+def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After all has been asked, after an interrupt, and after an error."""
+    device = streaming()
+    idle = []
+    asked = listing._Questions.listing
+
+    def watched(self: Any) -> Any:
+        idle.append(device.idle)
+        return asked(self)
+
+    monkeypatch.setattr(listing._Questions, "listing", watched)
+    told(device)
+    assert idle == [True] and not device.idle and device.busy
+
+    def interrupted(self: Any, profile: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(listing._Questions, "_ports", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        told(device)
+    assert idle == [True, True] and not device.idle and device.busy
+    device.known -= {(0x01, 0x04), (0x01, 0x06)}
+    said: list[str] = []
+    with pytest.raises(Failure), Device(LivePort(device, speed=50)) as link:
+        listing.ask(link, "PORT", said.append)
+    assert said == ["PORT did not acknowledge base.resume, so it may be idle; send it again"] and device.idle
+    device.known |= {(0x01, 0x06)}
+    with pytest.raises(Failure, match=r"the device refused base\.get_device_descriptors: unknown_command") as caught:
+        told(device)
+    assert caught.value.status == 3 and not device.idle and device.busy
+
+
+def test_an_answer_that_is_missing_is_said() -> None:
+    device = VirtualDevice("3dm-gx5-15", faults=Faults(plans=parse_faults("lose_answer@6")))
+    said: list[str] = []
+    with Device(LivePort(device, speed=50), timeout=0.2) as link:
+        it = listing.ask(link, "PORT", said.append)
+    missing = "3dm.get_imu_base_rate"
+    assert said == [f"the device has not answered {missing} in time; what {missing} tells is left out"]
+    assert it.base_rates == {0x82: 500} and len(it.descriptors) == len(device.known)
+
+
+def test_a_device_that_cannot_be_idle_streams_on() -> None:
+    device = streaming()
+    device.known -= {(0x01, 0x02), (0x01, 0x06)}
+    said: list[str] = []
+    with Device(LivePort(device)) as link:
+        assert len(listing.ask(link, "PORT", said.append).descriptors) == len(device.known)
+    assert not said and device.busy
+
+
+@pytest.fixture(scope="module")
+def place() -> Iterable[str]:
+    with running("simulate", "3dm-gq7", "--tcp", "0", "--seed", "54321") as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().decode().strip()
+
+
+def test_command_line(place: str, tmp_path: Path) -> None:
+    path = tmp_path / "devices/3dm-gq7.yaml"
+    code, out, error = mip("profile", place, "--spec", tmp_path, "--dry-run")
+    assert (code, error) == (0, "") and not path.parent.exists()
+    assert "54321" in mip("send", place, "base.get_device_info")[1]
+    assert "54321" not in out and f"    date: {date.today().isoformat()}\n" in out
+    code, said, error = mip("profile", place, "--spec", tmp_path, extras=False)  # a new file needs no PyYAML
+    assert (code, error) == (0, "") and path.read_text("utf-8") == out
+    number = len(devices.DEVICES["3dm-gq7"].fields)
+    title = "3DM-GQ7-GNSS/INS, firmware 7.0.00"
+    assert said == f"{path}: {title}: {number} commands and data fields, 0 undefined descriptors\n"
+    before = path.stat().st_mtime_ns
+    assert mip("profile", place, "--spec", tmp_path) == (0, f"{path}: {title}: nothing new\n", "")
+    assert path.stat().st_mtime_ns == before and [p.name for p in path.parent.iterdir()] == [path.name]
+    code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
+    assert (code, out) == (1, "")
+    assert error == f"mip profile: {path} exists, and to add to it, pyyaml is missing; pip install pyyaml\n"
+
+
+def test_a_terminal(tmp_path: Path) -> None:
+    with running("simulate", "3dm-mv5-ar", "--pty", tmp_path / "terminal") as process:
+        assert process.stdout is not None and process.stdout.readline()
+        code, out, error = mip("profile", tmp_path / "terminal", "--dry-run", "--baud", "auto")
+    assert (code, error) == (0, "") and out.startswith("extend: 3dm-mv5-ar\n") and out.endswith(BLOCK[-32:])
+
+
+def test_contradictions_are_said(place: str, tmp_path: Path) -> None:
+    path = put(tmp_path, "3dm-gq7", "extend: 3dm-gq7\nbase_rates: {sensor: 5}\n")
+    code, _, error = mip("profile", place, "--spec", tmp_path)
+    said = f"{path}:2:22: the device says 1000 Hz for sensor, not 5; the file is kept"
+    assert (code, error) == (0, f"mip profile: {said}\n") and "sensor: 5," in path.read_text("utf-8")
+
+
+def test_what_cannot_be(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    missing = tmp_path / "missing"
+    error = f"mip profile: {missing} is not a folder; create it, or name another one with --spec\n"
+    assert mip("profile", place, "--spec", missing) == (1, "", error)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        code, out, error = mip("profile", where, "--spec", tmp_path)
+    assert (code, out) == (4, "")
+    assert error == f"mip profile: {where} did not answer base.ping; check the port and --baud\n"
+    assert not list(tmp_path.iterdir())
+    path = put(tmp_path, "3dm-gq7", "extend: 3dm-gq7\n")
+
+    def full(*_: object) -> None:
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr(os, "replace", full)
+    code, out, error = mip("profile", place, "--spec", tmp_path)
+    assert (code, out) == (1, "") and error == f"mip profile: {path} cannot be written: No space left on device\n"
+    assert path.read_text("utf-8") == "extend: 3dm-gq7\n" and [*path.parent.iterdir()] == [path]
+
+
+def test_ctrl_c_resumes(tmp_path: Path) -> None:
+    """A device that falls silent after it was set to idle is resumed when the user interrupts the program."""
+    seen: list[int] = []
+    device = VirtualDevice("3dm-gq7")
+    link = device.connect()
+
+    def serve(server: socket.socket) -> None:
+        connection, _ = server.accept()
+        connection.settimeout(PATIENCE)
+        while data := connection.recv(4096):
+            seen.append(data[5])
+            if data[5] != 0x03:  # get_device_info is not answered
+                link.write(data)
+                device.advance(0.05)
+                connection.sendall(link.read())
+
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        thread = threading.Thread(target=serve, args=(server,), daemon=True)
+        thread.start()
+        process = subprocess.Popen(
+            command("profile", f"127.0.0.1:{server.getsockname()[1]}", "--spec", tmp_path),
+            env=ENVIRONMENT, stderr=subprocess.PIPE,
+        )  # fmt: skip
+        end = time.monotonic() + PATIENCE
+        while 0x03 not in seen and time.monotonic() < end:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+        thread.join(PATIENCE)
+    assert process.returncode == 130 and seen[:3] == [0x01, 0x02, 0x03] and seen[-1] == 0x06
+    assert not device.idle and not list(tmp_path.iterdir())
+
+
+# --------------------------------------------------------------------------- there and back
+
+ALL = list(devices.DEVICES)
+FEW = ["3dm-gq7", "3dm-cv7-gnss-ins", "3dm-gx5-45", "3dm-gx4-25", "3dm-cx7-ins", "3dm-mv5-ar"]
+
+AGAIN = """\
+import sys
+from pathlib import Path
+from mip_protocol import Device, devices
+from mip_tools.cli import device_file, listing
+from mip_tools.simulator import LivePort, VirtualDevice
+from mip_tools.simulator.profiles import certain
+
+out = Path(sys.argv[1])
+for id in sys.argv[2:]:
+    device = VirtualDevice(certain(devices.DEVICES[id]))
+    with Device(LivePort(device, speed=50)) as link:
+        told = listing.ask(link, "PORT")
+    ports = sorted(told.ports, key=lambda port: port.id)
+    print(id, sorted(told.descriptors), sorted(told.base_rates.items()), ports, sep="|")
+"""
+
+
+@pytest.mark.parametrize("ids", [pytest.param(FEW, id="few"), pytest.param(ALL, id="all", marks=heavy("all models"))])
+def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
+    """A device is asked, mipgen generates a package with the answer, and a device of this package is asked: it has the
+    same for certain. The devices of the first package have yes and probable together."""
+    over, package = tmp_path / "over", tmp_path / "package"
+    over.mkdir()
+    first = {}
+    for id in ids:
+        it = facts(id)
+        assert it.model.id == id and {*it.told.descriptors} == devices.DEVICES[id].fields
+        first[id] = it.told
+        put(over, id, device_file.new(it, over))
+    words = ["generate", "--spec", SPEC, "--spec", over, "--target", "python", "--out", package]
+    environment = {**ENVIRONMENT, "PYTHONPATH": str(ROOT / "generator")}
+    made = subprocess.run([sys.executable, "-m", "mipgen", *map(str, words)], env=environment, capture_output=True)
+    assert made.returncode == 0, made.stderr.decode()
+    environment["PYTHONPATH"] = os.pathsep.join((str(ROOT / "tools"), str(package / "python")))
+    done = subprocess.run(
+        [sys.executable, "-c", AGAIN, str(over), *ids], env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    second = {line.split("|")[0]: line.split("|")[1:] for line in done.stdout.splitlines()}
+    assert second == {
+        id: [str(sorted(t.descriptors)), str(sorted(t.base_rates.items())), str(sorted(t.ports, key=lambda p: p.id))]
+        for id, t in first.items()
+    }

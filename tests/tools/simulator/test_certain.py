@@ -1,0 +1,61 @@
+"""`mip simulate --certain`, and what a simulated device lists: what it has, for certain and probably."""
+
+from __future__ import annotations
+
+import pytest
+from mip_protocol import base, devices
+from mip_protocol.devices import Support
+from mip_tools import __main__
+from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.profiles import certain
+from simulator_host import Host
+
+IDS = list(devices.DEVICES)
+
+
+def listed(device: VirtualDevice) -> set[tuple[int, int]]:
+    host = Host(device)
+    found = [*host.ok(base.GetDeviceDescriptors()).descriptors]
+    if len(found) > 100:
+        found += host.ok(base.GetExtendedDescriptors()).descriptors
+    assert len(found) == len(set(found))
+    return {divmod(number, 256) for number in found}
+
+
+def said(id: str, *answers: Support) -> set[tuple[int, int]]:
+    """What the evidence says, witness by witness."""
+    return {
+        (set, descriptor)
+        for e in devices.DEVICES[id].evidence
+        if e.answer in answers
+        for set, descriptors in e.descriptors.items()
+        for descriptor in descriptors
+    }
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_what_a_device_lists(id: str) -> None:
+    probable = {(0x01, 0x04), (0x01, 0x07)} & said(id, Support.YES, Support.PROBABLE)
+    assert listed(VirtualDevice(id)) == said(id, Support.YES, Support.PROBABLE)
+    if probable <= said(id, Support.YES) and (0x01, 0x04) in probable:
+        assert listed(VirtualDevice(certain(devices.DEVICES[id]))) == said(id, Support.YES)
+
+
+def test_a_device_that_is_certain_refuses_the_rest() -> None:
+    profile = next(d for d in devices.DEVICES.values() if (0x01, 0x09) in d.fields - d.certain)
+    command = base.CommSpeed.read(0x11)
+    assert Host(VirtualDevice(certain(profile))).ask(command)[0].accepted is False
+    assert any(e.answer is Support.NO for d in devices.DEVICES.values() for e in certain(d).evidence)
+
+
+@pytest.mark.parametrize("option", [(), ("--certain",)])
+def test_the_first_line_says_how_many(option: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    for id in ("3dm-gq7", "3dm-cv7-gnss-ins"):
+        assert __main__.main(["simulate", id, "--tcp", "0", "--duration", "0.01", *option]) == 0
+        out, error = capsys.readouterr()
+        sure = said(id, Support.YES)
+        rest = len(said(id, Support.PROBABLE) - sure)
+        more = " and left out" if option and rest else ""
+        title = devices.DEVICES[id].title
+        counts = f"{title}: {len(sure)} commands and data fields are certain, {rest} probable{more}"
+        assert out.startswith("localhost:") and error.splitlines()[0] == f"mip simulate: {counts}"

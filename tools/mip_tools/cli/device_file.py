@@ -1,0 +1,333 @@
+"""What a device tells of itself, as a device file of a specification: a new one, or added to one that is there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..binding import DEVICES, SETS, Device, identify, model_number, types
+from ..errors import Failure
+from .listing import Listing, ToldPort
+from .yaml_text import YamlFile, child, listed, parsed, plain, quoted, word
+
+SHARED = 0xFF
+#: The keys of an entry of the evidence that a new list replaces.
+OWN = ("kind", "firmware", "date", "fields", "undefined")
+NEW = "Only what the device itself told is known."
+
+
+@dataclass(frozen=True)
+class Model:
+    """Which device it is: one of the generated package, or a new one."""
+
+    id: str
+    title: str
+    number: int | None
+    profile: Device | None
+
+
+def model(told: Listing) -> Model:
+    """The device by its model number; one without a number by its name."""
+    number = model_number(told.info.model_number) or model_number(told.info.serial_number)
+    profile = identify(told.info)
+    same = _by_name(told.title)
+    if profile is None and same is not None and (same.model_number is None or number is None):
+        profile = same
+    if profile is not None:
+        return Model(profile.id, profile.title, number, profile)
+    title = told.title or f"Model {number or 'without a number'}"
+    if same is not None:  # another device has the name
+        title = f"{title} ({number})"
+    return Model(re.sub("[^a-z0-9]+", "-", title.lower()).strip("-") or "device", title, number, None)
+
+
+def _by_name(name: str) -> Device | None:
+    wanted = name.lower()
+    return next((d for d in DEVICES.values() if wanted in {x.lower() for x in (d.id, d.title, *d.also)}), None)
+
+
+# --------------------------------------------------------------------------- what is written
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What a listing says in the words of a specification."""
+
+    model: Model
+    told: Listing
+    date: str
+
+    def fields(self) -> dict[str, list[str]]:
+        """Set -> names of commands and data. Responses follow from their commands, and shared data is in every set."""
+        by_set: dict[str, list[str]] = {}
+        for key in sorted(self.told.descriptors, key=self._set):
+            kinds = types(*key)
+            if kinds and kinds[0].ROLE != "response":
+                full = kinds[0].name_in(key[0])
+                set, _, name = full.partition(".")
+                if name not in by_set.setdefault(set, []):
+                    by_set[set].append(name)
+        return {set: names for set, names in by_set.items() if names}
+
+    def undefined(self) -> dict[str, list[str]]:
+        """Set -> descriptors that the specification does not define."""
+        by_set: dict[str, list[str]] = {}
+        for set, descriptor in self.told.descriptors:
+            if not types(set, descriptor):
+                name = SETS[set][0] if set in SETS else f"0x{set:02X}"
+                by_set.setdefault(name, []).append(f"0x{descriptor:02X}")
+        return by_set
+
+    @staticmethod
+    def _set(key: tuple[int, int]) -> tuple[int, int]:
+        """Shared data comes last, whichever set a device lists it in."""
+        kinds = types(*key)
+        return (SHARED if kinds and kinds[0].NAME.startswith("shared.") else key[0]), key[1]
+
+    def rates(self) -> dict[str, int | None]:
+        """Data set -> base rate; None of a data set whose rate neither the device nor the profile knows."""
+        known = self.model.profile.base_rates if self.model.profile else {}
+        sets = sorted({set for set, d in self.told.descriptors if 0x80 <= set < SHARED and types(set, d)})
+        rates = {number: self.told.base_rates.get(number) for number in sets if number in SETS}
+        return {SETS[n][0]: rate for n, rate in rates.items() if rate is not None or n not in known}
+
+    def ports(self) -> Iterator[ToldPort]:
+        """The ports that the profile does not have, as far as the device told their protocols."""
+        known = {port.id for port in self.model.profile.ports} if self.model.profile else set[int]()
+        for port in self.told.ports:
+            if port.id not in known and port.receives is not None and port.sends is not None:
+                yield port
+
+    def note(self) -> str:
+        """What the device told, and there is no other place for."""
+        profile, said = self.model.profile, []
+        if profile is not None and profile.model_number is None and self.model.number:
+            said.append(f"The model number is {self.model.number}.")
+        written = {port.id for port in self.ports()}
+        known = {port.id: port.baud_rates for port in profile.ports} if profile else {}
+        for port in self.told.ports:
+            if port.id in written:
+                said.append(f"{port.name} is given with the settings that it had.")
+            elif port.baud is not None and port.baud not in known.get(port.id, ()) and not (profile and port.virtual):
+                said.append(f"{port.name} was set to {port.baud} Bd.")
+        shared = {set for set, d in self.told.descriptors if (k := types(set, d)) and k[0].NAME.startswith("shared.")}
+        data = {set for set, _ in self.told.descriptors if 0x80 <= set < SHARED}
+        if shared and SHARED not in shared and shared != data:
+            said.append(f"Shared data is listed in {', '.join(f'0x{set:02X}' for set in sorted(shared))} only.")
+        return " ".join(said)
+
+    def remark(self) -> list[str]:
+        """The note as a key."""
+        return [f"note: {quoted(self.note())}"] if self.note() else []
+
+    def contradictions(self) -> dict[str, str]:
+        """What the profile of the generated package states otherwise: data set -> what is said of it."""
+        found = {}
+        known = self.model.profile.base_rates if self.model.profile else {}
+        for number, rate in self.told.base_rates.items():
+            if number in known and known[number] != rate and number in SETS:
+                name = SETS[number][0]
+                found[name] = f"the device says {rate} Hz for {name}, its profile {known[number]:g} Hz"
+        return found
+
+    # ----------------------------------------------------------------- as YAML
+
+    def entry(self, more: list[str]) -> list[str]:
+        """The entry of the evidence, with other keys that it has."""
+        lines = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
+        for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
+            if by_set:
+                lines += [f"{key}:", *(f"  {line}" for set, names in by_set.items() for line in listed(set, names))]
+        return lines
+
+    def flow_entry(self, more: list[str]) -> str:
+        """The same in brackets."""
+        parts = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
+        for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
+            if by_set:
+                sets = ", ".join(f"{set}: [{', '.join(names)}]" for set, names in by_set.items())
+                parts.append(f"{key}: {{{sets}}}")
+        return f"{{{', '.join(parts)}}}"
+
+
+def _rate(rate: int | None) -> str:
+    return "~" if rate is None else str(rate)
+
+
+def _rates(rates: dict[str, int | None]) -> str:
+    return f"{{{', '.join(f'{name}: {_rate(rate)}' for name, rate in rates.items())}}}"
+
+
+def _port(port: ToldPort) -> str:
+    rates = f"baud_rates: [{port.baud or ''}]"
+    receives, sends = (", ".join(p.upper() if not p.startswith("0x") else quoted(p) for p in way or ())
+                       for way in (port.receives, port.sends))  # fmt: skip
+    return f"{{name: {port.name}, id: 0x{port.id:02X}, {rates}, receives: [{receives}], sends: [{sends}]}}"
+
+
+# --------------------------------------------------------------------------- a new file
+
+
+def new(facts: Facts, folder: Path) -> str:
+    """The text of a file for a device: what a known one lists, or the profile of one that is not known."""
+    it = facts.model
+    known = it.profile is not None or _elsewhere(it.id, folder)
+    schema = "device_extension" if known else "device"
+    lines = []
+    if (folder / f"schema/{schema}.schema.json").is_file():
+        lines.append(f"# yaml-language-server: $schema=../schema/{schema}.schema.json")
+    if known:
+        lines.append(f"extend: {it.id}")
+    else:
+        name = re.sub("[^a-z0-9]+", "_", it.id.removeprefix("3dm-")).strip("_")
+        lines += [f"device: {it.id}", f"name: {name}", f"title: {word(it.title)}"]
+        if it.number:
+            lines.append(f"model_number: {it.number}")
+        lines += [f"description: {word(_description(it))}", f"incomplete: [{NEW}]"]
+    first, *rest = facts.entry(facts.remark())
+    lines += ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
+    if facts.rates():
+        lines.append(f"base_rates: {_rates(facts.rates())}")
+    ports = [_port(port) for port in facts.ports()]
+    if ports:
+        lines += ["ports:", *(f"  - {port}" for port in ports)]
+    return "\n".join(lines) + "\n"
+
+
+def _description(it: Model) -> str:
+    return f"Device with the model number {it.number}." if it.number else "Device without a model number."
+
+
+def _elsewhere(id: str, folder: Path) -> bool:
+    """Does another file of the folder have the device, which the generated package does not know yet?"""
+    pattern = re.compile(rf"^[ \t]*(- )?\{{?[ \t]*device: *{re.escape(id)}[ \t]*(,|#|$)", re.M)
+    for path in sorted((folder / "devices").glob("*.yaml")):
+        if path.stem != id and pattern.search(path.read_text("utf-8", "replace")):
+            return True
+    return False
+
+
+# --------------------------------------------------------------------------- a file that is there
+
+
+def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
+    """The text of a file with what the device told, and what contradicts it, by data set or port, each with its place.
+
+    Everything that the file says stays. Raises Failure if it is no file of this device.
+    """
+    file = YamlFile(path)
+    wanted = facts.model.id
+    own = child(file.root, "device")
+    named = own if own is not None else child(file.root, "extend")
+    if named is None:
+        raise Failure(f"{path}:1:1: neither `extend: {wanted}` nor `device: {wanted}`; move it to another file")
+    if named.value != wanted:
+        raise Failure(f"{file.place(named)}: this is '{named.value}', and the device is '{wanted}'; rename the file")
+    expected = plain(file.root)
+    _add_evidence(file, facts, expected)
+    contradictions = {**_add_rates(file, facts, expected, own is not None), **_add_ports(file, facts, expected)}
+    text = file.changed()
+    if parsed(text, path) != expected:
+        raise Failure(f"{path} cannot be changed without a loss; use --stdout, and add to it by hand")
+    return text, contradictions
+
+
+def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> None:
+    evidence = file.get("evidence", "sequence")
+    entries = list(evidence.value) if evidence is not None else []
+    flow = facts.flow_entry(facts.remark())
+    new = _plain(flow, file.path)
+    for i, entry in enumerate(entries):
+        said = plain(entry)
+        if not isinstance(said, dict) or (said.get("kind"), said.get("firmware")) != ("listed", new["firmware"]):
+            continue
+        if all(said.get(key) == new.get(key) for key in ("fields", "undefined")):
+            return  # the same list, on the day on which it was first read
+        more = [file.source(key, value) for key, value in entry.value if key.value not in OWN]
+        more += facts.remark() if "note" not in said else []
+        file.replace_item(entry, facts.entry(more), facts.flow_entry(more))
+        expected["evidence"][i] = new | {key: value for key, value in said.items() if key not in OWN}
+        return
+    first, *rest = lines = facts.entry(facts.remark())
+    if evidence is not None:
+        file.add_item(evidence, lines, flow)
+    else:
+        whole = ["evidence:", f"  - {first}", *(f"    {line}" for line in rest)]
+        file.add_key(file.root, whole, f"evidence: [{flow}]")
+    expected.setdefault("evidence", []).append(new)
+
+
+def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bool) -> dict[str, str]:
+    """`whole`: a profile of its own, which may inherit what the generated package knows."""
+    node = file.get("base_rates", "mapping")
+    profile = facts.model.profile
+    new: dict[str, int | None] = {}
+    contradictions = {}
+    for name, rate in facts.rates().items():
+        said = child(node, name) if node is not None else None
+        number = next(n for n, names in SETS.items() if names[0] == name)
+        if said is None:
+            if not (whole and profile is not None and profile.base_rates.get(number) == rate):
+                new[name] = rate
+        elif rate is not None and said.value in ("", "~", "null"):
+            file.replace(said, str(rate))
+            expected["base_rates"][name] = str(rate)
+        elif rate is not None and _number(said.value) != rate:
+            place = file.place(said)
+            contradictions[name] = f"{place}: the device says {rate} Hz for {name}, not {said.value}; the file is kept"
+    if new and node is None:
+        file.add_key(file.root, [f"base_rates: {_rates(new)}"], f"base_rates: {_rates(new)}")
+    elif node is not None:
+        for name, rate in new.items():
+            file.add_key(node, [f"{name}: {_rate(rate)}"], f"{name}: {_rate(rate)}")
+    if new:
+        expected.setdefault("base_rates", {}).update({name: _rate(rate) for name, rate in new.items()})
+    return contradictions
+
+
+def _add_ports(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> dict[str, str]:
+    node = file.get("ports", "sequence")
+    entries = list(node.value) if node is not None else []
+    new = []
+    contradictions = {}
+    for port in facts.ports():
+        same = [x for x in entries if _is_port(x, port)]
+        if not same:
+            new.append(port)
+        for entry in same:
+            text, number = child(entry, "name"), child(entry, "id")
+            if number is None or text is None or (text.value, _number(number.value)) != (port.name, port.id):
+                said = f"the device calls the port {port.name}, with the number 0x{port.id:02X}"
+                contradictions[port.name] = f"{file.place(entry)}: {said}; the file is kept"
+    lines = [_port(port) for port in new]
+    if node is not None:
+        for line in lines:
+            file.add_item(node, [line], line)
+    elif lines:
+        file.add_key(file.root, ["ports:", *(f"  - {line}" for line in lines)], f"ports: [{', '.join(lines)}]")
+    if lines:
+        expected.setdefault("ports", []).extend(_plain(line, file.path) for line in lines)
+    return contradictions
+
+
+def _is_port(node: Any, port: ToldPort) -> bool:
+    name, number = child(node, "name"), child(node, "id")
+    return bool((name is not None and name.value == port.name)
+                or (number is not None and _number(number.value) == port.id))  # fmt: skip
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(int(text, 16) if text.startswith("0x") else text)
+    except ValueError:
+        return None
+
+
+def _plain(flow: str, path: Path) -> Any:
+    return parsed(flow, path)
+
+
+__all__ = ["Facts", "Model", "merged", "model", "new"]

@@ -1,0 +1,234 @@
+"""What a device tells of itself: identity, descriptors, base rates, ports."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ..binding import MipError, NoAnswer, PortClosed, Refused, UnknownName, identify, info, lookup
+from ..errors import Failure
+
+if TYPE_CHECKING:
+    from ..binding import Device, DeviceAtPort
+
+REFUSED, SILENT = 3, 4
+
+#: Commands that report the base rate of one data set.
+RATES = {
+    "3dm.get_imu_base_rate": "sensor",
+    "3dm.get_gnss_base_rate": "gnss_data",
+    "3dm.get_filter_base_rate": "filter_data",
+}
+#: The command that reports it for any data set, and those that report the settings of a port.
+RATE, SPEED, PROTOCOLS = "3dm.get_base_rate", "base.comm_speed", "system.interface_control"
+EXTENDED = "base.get_extended_descriptors"
+
+#: Numbers of ports that are no ports.
+_ALL = "all"
+_WORDS = {"uart": "UART", "usb": "USB"}
+
+Key = tuple[int, int]  # descriptor set and descriptor
+
+
+@dataclass(frozen=True)
+class ToldPort:
+    """A port with its current settings. What the device did not tell is None."""
+
+    id: int
+    name: str
+    baud: int | None
+    receives: tuple[str, ...] | None
+    sends: tuple[str, ...] | None
+
+    @property
+    def virtual(self) -> bool:
+        """Is it USB, or perhaps USB? It has a baud rate in name only."""
+        return self.name.split()[0] in ("USB", "Main")
+
+
+@dataclass(frozen=True)
+class Listing:
+    info: Any  # `base.BaseDeviceInfo`
+    descriptors: tuple[Key, ...]
+    base_rates: dict[int, int] = field(default_factory=dict)  # data set -> Hz
+    ports: tuple[ToldPort, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """The name of the model, as far as it can be printed."""
+        text = "".join(c for c in self.info.model_name if c.isprintable())
+        return " ".join(text.split())
+
+    @property
+    def firmware(self) -> str:
+        """The firmware version as the vendor writes it: 1202 is 1.2.02."""
+        number = self.info.firmware_version
+        return f"{number // 1000}.{number // 100 % 10}.{number % 100:02}"
+
+
+def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Listing:
+    """Asks a device while it is idle, and resumes its streams, also after an error or an interrupt.
+
+    `name` is that of the port, for messages; `complain` gets one for each answer that is missing, without which there
+    is a listing all the same, and if the streams could not be resumed. Raises Failure.
+    """
+    questions = _Questions(link, name, complain)
+    questions.greet()
+    with _idle(questions):
+        return questions.listing()
+
+
+@contextmanager
+def _idle(questions: _Questions) -> Iterator[None]:
+    resumes = True
+    try:
+        # A device that refuses it streams on, which does no harm. One that does not answer may be idle.
+        resumes = questions.carried_out("base.set_idle") is not False
+        yield
+    finally:
+        if resumes and not questions.carried_out("base.resume"):
+            questions.complain(f"{questions.name} did not acknowledge base.resume, so it may be idle; send it again")
+
+
+class _Questions:
+    def __init__(self, link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> None:
+        self._link = link
+        self.name = name
+        self.complain = complain
+        self._listed: frozenset[Key] = frozenset()
+
+    def greet(self) -> None:
+        """Is there a device? One that refuses a ping is one."""
+        try:
+            self._link.request(_type("base.ping")())
+        except Refused:
+            pass
+        except NoAnswer:
+            said = f"{self.name} did not answer base.ping; check the port and --baud"
+            raise Failure(said, SILENT) from None
+        except MipError as error:
+            raise Failure(f"{self.name}: {error}") from None
+
+    def carried_out(self, command: str) -> bool | None:
+        """Did the device do it? None if it has not answered."""
+        try:
+            self._link.request(_type(command)())
+        except Refused:
+            return False
+        except MipError:
+            return None
+        return True
+
+    def listing(self) -> Listing:
+        identity = self._needed("base.get_device_info").device_info
+        numbers = list(self._needed("base.get_device_descriptors").descriptors)
+        extended = _type(EXTENDED)
+        if extended.SET << 8 | extended.DESCRIPTOR in numbers:
+            numbers += self._needed(EXTENDED).descriptors
+        keys = tuple(sorted({divmod(number, 0x100) for number in numbers}))
+        self._listed = frozenset(keys)
+        return Listing(identity, keys, dict(self._rates()), tuple(self._ports(identify(identity))))
+
+    def _needed(self, command: str) -> Any:
+        """The response to a command without which there is no profile."""
+        try:
+            return self._link.request(_type(command)())
+        except Refused as error:
+            code = f"{error.code.name.lower()} ({int(error.code)})"
+            raise Failure(f"the device refused {command}: {code}; it cannot be asked what it has", REFUSED) from None
+        except NoAnswer:
+            raise Failure(f"{self.name} did not answer {command}; try again", SILENT) from None
+        except MipError as error:
+            raise Failure(f"{self.name}: {error}") from None
+
+    def optional(self, command: str, *values: Any, function: str = "") -> Any:
+        """The response to a command that the device lists; None if there is none, as for a port that it has not."""
+        kind = _known(command)
+        if kind is None:
+            return None
+        try:
+            return self._link.request(getattr(kind, function)(*values) if function else kind(*values))
+        except PortClosed as error:
+            raise Failure(f"{self.name}: {error}") from None
+        except Refused:
+            return None
+        except MipError as error:
+            self.complain(f"{error.detail}; what {command} tells is left out")
+            return None
+
+    def _lists(self, command: str) -> bool:
+        kind = _known(command)
+        return kind is not None and (kind.SET, kind.DESCRIPTOR) in self._listed
+
+    # ----------------------------------------------------------------- rates
+
+    def _rates(self) -> Iterator[tuple[int, int]]:
+        if self._lists(RATE):
+            for number in sorted({set for set, _ in self._listed if 0x80 <= set < 0xFF}):
+                told = self.optional(RATE, number)
+                if told is not None:
+                    yield number, told.rate
+            return
+        for command, set in RATES.items():
+            told = self.optional(command) if self._lists(command) else None
+            if told is not None:
+                yield lookup.set_number(set), told.rate
+
+    # ----------------------------------------------------------------- ports
+
+    def _ports(self, profile: Device | None) -> Iterator[ToldPort]:
+        """The ports whose numbers the specification knows, of all devices and of this one."""
+        speed, protocols = self._lists(SPEED), self._lists(PROTOCOLS)
+        if not (speed or protocols) or _known(PROTOCOLS) is None:
+            return
+        numbers = _type(PROTOCOLS).INFO["port"].type
+        names = {value.value: _port_name(value.name) for value in info(numbers).values if value.name != _ALL}
+        names |= {port.id: port.name for port in (profile.ports if profile else ()) if port.id is not None}
+        for number, name in sorted(names.items()):
+            rate = self.optional(SPEED, number, function="read") if speed else None
+            ways = self.optional(PROTOCOLS, numbers(number), function="read") if protocols else None
+            if rate is not None or ways is not None:
+                yield ToldPort(
+                    number,
+                    name,
+                    rate.baud if rate is not None and rate.baud else None,
+                    _names(ways.protocols_incoming) if ways is not None else None,
+                    _names(ways.protocols_outgoing) if ways is not None else None,
+                )
+
+
+def _port_name(value: str) -> str:
+    """
+    >>> _port_name("uart_1"), _port_name("main")
+    ('UART 1', 'Main')
+    """
+    return " ".join(_WORDS.get(word, word.capitalize()) for word in value.split("_"))
+
+
+def _names(protocols: Any) -> tuple[str, ...]:
+    """The names of protocols, in the order of their bits; a bit without a name by its number."""
+    kind: Any = type(protocols)
+    bits = list(kind)
+    named = [str(bit.name) for bit in bits if bit in protocols]
+    rest = int(protocols) & ~sum(int(bit) for bit in bits)
+    return tuple(named) + tuple(f"0x{1 << i:08X}" for i in range(32) if rest >> i & 1)
+
+
+def _known(command: str) -> Any:
+    """The type of a command; None if the specification has none."""
+    try:
+        return lookup.field(command)
+    except UnknownName:
+        return None
+
+
+def _type(command: str) -> Any:
+    kind = _known(command)
+    if kind is None:
+        raise Failure(f"the generated package has no {command}, with which a device is asked")
+    return kind
+
+
+__all__ = ["Listing", "ToldPort", "ask"]

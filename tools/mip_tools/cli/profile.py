@@ -1,0 +1,75 @@
+"""`mip profile`: what a device tells of itself, as a file for a specification."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from datetime import date
+from pathlib import Path
+
+from ..errors import Failure
+from . import device_file, outputs, ports, signals
+from .listing import ask
+
+EPILOG = """\
+examples:
+  mip profile /dev/ttyACM0                   writes devices/MODEL.yaml below the current folder
+  mip profile /dev/ttyACM0 --spec spec       the same below spec
+  mip profile localhost:5000 --dry-run       prints what would be written
+
+The device is set to idle while it is asked, and resumes afterwards. The file names the model, its
+firmware and the day as the evidence, and contains no serial number. A model that the generated
+package knows gets a file that extends it. If there is a file already, the list is added to it, and
+takes the place of a list of the same firmware only; this needs the extra `yaml` (PyYAML).
+`mipgen validate` checks the file.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("--spec", type=Path, default=Path(), metavar="FOLDER", help="a specification or an overlay (default: .)")
+    add("--dry-run", "--stdout", action="store_true", dest="dry_run", help="print the file, write nothing")
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    folder: Path = options.spec
+    if not folder.is_dir():
+        raise Failure(f"{folder} is not a folder; create it, or name another one with --spec")
+    with signals.handled(signals.interrupt), ports.opened(options.port, options) as link:
+        told = ask(link, options.port, _complain)
+    facts = device_file.Facts(device_file.model(told), told, date.today().isoformat())
+    path = folder / "devices" / f"{facts.model.id}.yaml"
+    contradictions = facts.contradictions()
+    if path.exists():
+        text, more = device_file.merged(facts, path)
+        contradictions |= more
+        changed = text != path.read_bytes().decode("utf-8")
+    else:
+        text, changed = device_file.new(facts, folder), True
+    if options.dry_run:
+        sys.stdout.write(text)
+    elif changed:
+        _write(path, text)
+    for said in contradictions.values():
+        _complain(said)
+    if not options.dry_run:
+        fields, undefined = (sum(map(len, x.values())) for x in (facts.fields(), facts.undefined()))
+        what = f"{fields} commands and data fields, {undefined} undefined descriptors"
+        print(f"{path}: {facts.model.title}, firmware {told.firmware}: {what if changed else 'nothing new'}")
+    return 0
+
+
+def _complain(text: str) -> None:
+    print(f"mip profile: {text}", file=sys.stderr)
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.parent.mkdir(exist_ok=True)
+    except OSError as error:
+        raise Failure(f"{path.parent} cannot be created: {error.strerror}") from None
+    with outputs.whole(str(path)) as file:
+        file.write(text.encode("utf-8"))

@@ -1,0 +1,215 @@
+"""YAML files of people, changed in a few places: everything else in them stays as it is, byte by byte."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from ..binding import MissingExtra
+from ..errors import Failure
+
+WIDTH = 115
+
+
+class YamlFile:
+    """A mapping, its nodes with their places in the text, and the changes to it."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises Failure if it cannot be read."""
+        self.path = path
+        try:
+            self.text = path.read_bytes().decode("utf-8")
+        except OSError as error:
+            raise Failure(f"{path} cannot be read: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise Failure(f"{path} is not UTF-8; save it as UTF-8") from None
+        self.root = _composed(self.text, path)
+        if _kind(self.root) != "mapping" or not self.root.value:
+            raise Failure(f"{path}:1:1: this is not a device file; write `extend: DEVICE`, or remove it")
+        #: From and to where, what comes first at one place, and the new text.
+        self._edits: list[tuple[int, int, int, str]] = []
+
+    def place(self, node: Any) -> str:
+        return f"{self.path}:{node.start_mark.line + 1}:{node.start_mark.column + 1}"
+
+    def get(self, key: str, kind: str) -> Any:
+        """The value of a key of the file, which must be of this kind; None if there is none."""
+        node = child(self.root, key)
+        if node is not None and _kind(node) != kind:
+            what = {"mapping": "a mapping", "sequence": "a list", "scalar": "one word"}[kind]
+            raise Failure(f"{self.place(node)}: '{key}' must be {what}; `mipgen validate` says more")
+        return node
+
+    # ----------------------------------------------------------------- changes
+
+    def replace(self, node: Any, text: str) -> None:
+        start, end = node.start_mark.index, self.end(node)
+        if end <= start:  # nothing stands there
+            start, text = end, f" {text}"
+        self._edit(start, end, text)
+
+    def add_item(self, sequence: Any, block: list[str], flow: str) -> None:
+        """One more item at the end of a list: its lines, or the same in one line if the list is in brackets."""
+        if sequence.flow_style:
+            self._add_to_flow(sequence, flow)
+            return
+        indent = " " * sequence.start_mark.column
+        self._add_lines(sequence, [f"{indent}- {block[0]}", *(f"{indent}  {line}" for line in block[1:])])
+
+    def add_key(self, mapping: Any, block: list[str], flow: str) -> None:
+        """One more key at the end of a mapping."""
+        if mapping.flow_style:
+            self._add_to_flow(mapping, flow)
+        else:
+            indent = " " * mapping.start_mark.column
+            self._add_lines(mapping, [f"{indent}{line}" for line in block])
+
+    def replace_item(self, node: Any, block: list[str], flow: str) -> None:
+        """Another mapping in place of an item of a list. Comments in the old one come before it."""
+        start, end = node.start_mark.index, self.end(node)
+        if node.flow_style:
+            self._edit(start, end, flow)
+        else:
+            self._edit(start, end, f"{self.newline}{' ' * node.start_mark.column}".join(block))
+        comments = self._comments(node)
+        if comments:
+            line = self.text.rfind("\n", 0, start) + 1
+            before = re.match(r"[ \t]*", self.text[line:])
+            indent = before[0] if before else ""
+            self._edit(line, line, "".join(f"{indent}{c}{self.newline}" for c in comments))
+
+    def source(self, first: Any, last: Any) -> str:
+        """The text from one node to another as it stands."""
+        return self.text[first.start_mark.index : self.end(last)]
+
+    def changed(self) -> str:
+        """The text with all changes."""
+        text = self.text
+        for start, end, _, new in sorted(self._edits, reverse=True):
+            text = text[:start] + new + text[end:]
+        return text
+
+    def _edit(self, start: int, end: int, text: str, outer: bool = False) -> None:
+        """What is added to the file itself comes behind what is added to the last thing in it."""
+        self._edits.append((start, end, len(self._edits) + 1000 * outer, text))
+
+    @property
+    def newline(self) -> str:
+        return "\r\n" if "\r\n" in self.text else "\n"
+
+    def _add_to_flow(self, node: Any, text: str) -> None:
+        """Behind the last item, before whatever follows it up to the bracket."""
+        items = _children(node)
+        at = self.end(items[-1]) if items else node.start_mark.index + 1
+        self._edit(at, at, f", {text}" if items else text, node is self.root)
+
+    def _add_lines(self, node: Any, lines: Iterable[str]) -> None:
+        """Behind the last line of a node, with the comment in it."""
+        at = self.text.find("\n", self.end(node))
+        at = len(self.text) if at < 0 else at - (self.text[at - 1] == "\r")
+        self._edit(at, at, "".join(f"{self.newline}{line}" for line in lines), node is self.root)
+
+    def end(self, node: Any) -> int:
+        """Where a node ends: PyYAML takes the comments behind a block for a part of it."""
+        items = _children(node)
+        if items and not node.flow_style:
+            return self.end(items[-1])
+        return len(self.text[: node.end_mark.index].rstrip()) if _kind(node) == "scalar" else int(node.end_mark.index)
+
+    def _comments(self, node: Any) -> list[str]:
+        """The comments within a node, up to the end of its last line if they are within its range."""
+        spans = [(leaf.start_mark.index, self.end(leaf)) for leaf in _leaves(node)]
+        rest = "".join(self.text[before:start] for (_, before), (start, _) in pairwise(spans))
+        return [c.rstrip() for c in re.findall(r"(?<!\S)#.*", rest)]
+
+
+# --------------------------------------------------------------------------- nodes
+
+
+def _composed(text: str, path: Path) -> Any:
+    try:
+        import yaml
+    except ImportError:
+        raise Failure(f"{path} exists, and to add to it, {MissingExtra('pyyaml', 'yaml')}") from None
+    try:
+        return yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        place = f"{path}:{mark.line + 1}:{mark.column + 1}" if mark else str(path)
+        raise Failure(f"{place}: not YAML: {error.problem}; `mipgen validate` says more") from None
+    except yaml.YAMLError as error:
+        raise Failure(f"{path}: not YAML: {error}") from None
+
+
+def _kind(node: Any) -> str:
+    return getattr(node, "id", "nothing")
+
+
+def _children(node: Any) -> list[Any]:
+    if _kind(node) == "mapping":
+        return [part for pair in node.value for part in pair]
+    return list(node.value) if _kind(node) == "sequence" else []
+
+
+def _leaves(node: Any) -> list[Any]:
+    items = _children(node)
+    return [leaf for item in items for leaf in _leaves(item)] if items else [node]
+
+
+def child(node: Any, key: str) -> Any:
+    """The value of a key of a mapping; None if there is none."""
+    return next((value for name, value in node.value if name.value == key), None) if _kind(node) == "mapping" else None
+
+
+def plain(node: Any) -> Any:
+    """The value of a node: mappings, lists and texts, numbers as they are written."""
+    if _kind(node) == "mapping":
+        return {str(key.value): plain(value) for key, value in node.value}
+    return [plain(item) for item in node.value] if _kind(node) == "sequence" else node.value
+
+
+def parsed(text: str, path: Path) -> Any:
+    """The same of a text."""
+    return plain(_composed(text, path))
+
+
+# --------------------------------------------------------------------------- writing
+
+
+def word(text: str) -> str:
+    """A text as YAML has it: as it is, or in quotes.
+
+    >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
+    ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')
+    """
+    usual = re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ./()+_'-]*(, [A-Za-z0-9 ./()+_'-]+)*[.)]?", text)
+    number = re.fullmatch(r"[-+.0-9][0-9_.eExXA-Fa-f+-]*", text) and not re.fullmatch(r"\d+\.\d+\.\d+", text)
+    bare = text.lower() in ("true", "false", "null", "yes", "no", "on", "off", "y", "n", "~")
+    return text if usual and not number and not bare and text == text.strip() else quoted(text)
+
+
+def quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def listed(name: str, words: Iterable[str]) -> list[str]:
+    """A key with a list in brackets, in as many lines as it takes."""
+    texts = list(words)
+    whole = f"{name}: [{', '.join(texts)}]"
+    if len(whole) <= WIDTH - 10:
+        return [whole]
+    lines = [f"{name}:", "  ["]
+    for i, text in enumerate(texts):
+        part = text + ("]" if i == len(texts) - 1 else ",")
+        if len(lines[-1]) + 1 + len(part) > WIDTH - 10:
+            lines.append("  ")
+        gap = "" if lines[-1] == "  [" else " "
+        lines[-1] += gap + part
+    return lines
+
+
+__all__ = ["YamlFile", "child", "listed", "parsed", "plain", "quoted", "word"]
