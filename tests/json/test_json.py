@@ -38,7 +38,7 @@ ADDED = {
     "parameter": {"type", "cases"}, "enum": {"symbols"},
     "field": {"set", "occurrences", "symbols", "calls", "typical", "constants", "operations"},
     "bitfield": {"symbols"}, "struct": {"symbols", "operations"}, "variant": {"only"},
-    "set": {"types", "fields", "named"},
+    "set": {"types", "fields", "named"}, "device": {"evidence", "supports", "refuses"},
 }  # fmt: skip
 
 
