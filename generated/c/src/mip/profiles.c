@@ -16,11 +16,9 @@ static const char *const cl5_10_incomplete[] = {
 static const char cl5_10_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field cl5_10_fields[] = {
-    {0x01, 0x01, "", cl5_10_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", cl5_10_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", cl5_10_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", cl5_10_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_10_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", cl5_10_evidence_1}, {0x01, 0x02, "", cl5_10_evidence_1},
+    {0x01, 0x03, "", cl5_10_evidence_1}, {0x01, 0x04, "", cl5_10_evidence_1},
+    {0x01, 0x06, "", cl5_10_evidence_1},
 };
 
 const struct mip_profile mip_profile_cl5_10 = {
@@ -67,16 +65,11 @@ static const char cl5_15_evidence_2[] = "MSCL lists the choices for this device.
 static const char cl5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cl5_15_fields[] = {
-    {0x01, 0x01, "", cl5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cl5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cl5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cl5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cl5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cl5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cl5_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_15_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_15_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", cl5_15_evidence_1},      {0x01, 0x02, "", cl5_15_evidence_1},
+    {0x01, 0x03, "", cl5_15_evidence_1},      {0x01, 0x04, "", cl5_15_evidence_1},
+    {0x01, 0x06, "", cl5_15_evidence_1},      {0x0C, 0x11, "WRSLD", cl5_15_evidence_2},
+    {0x0C, 0x51, "WRSLD", cl5_15_evidence_2}, {0x0C, 0x64, "", cl5_15_evidence_3},
+    {0x0D, 0x14, "WRSLD", cl5_15_evidence_2}, {0x0D, 0x18, "WRSLD", cl5_15_evidence_2},
 };
 
 static const struct mip_profile_note cl5_15_notes[] = {
@@ -135,15 +128,11 @@ static const char cl5_25_evidence_2[] = "MSCL lists the choices for this device.
 static const char cl5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cl5_25_fields[] = {
-    {0x01, 0x01, "", cl5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cl5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cl5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cl5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cl5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cl5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cl5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", cl5_25_evidence_1},      {0x01, 0x02, "", cl5_25_evidence_1},
+    {0x01, 0x03, "", cl5_25_evidence_1},      {0x01, 0x04, "", cl5_25_evidence_1},
+    {0x01, 0x06, "", cl5_25_evidence_1},      {0x0C, 0x11, "WRSLD", cl5_25_evidence_2},
+    {0x0C, 0x64, "", cl5_25_evidence_3},      {0x0D, 0x14, "WRSLD", cl5_25_evidence_2},
+    {0x0D, 0x18, "WRSLD", cl5_25_evidence_2},
 };
 
 static const struct mip_profile_note cl5_25_notes[] = {
@@ -202,14 +191,10 @@ static const char cv5_10_evidence_2[] = "MSCL lists the choices for this device.
 static const char cv5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_10_fields[] = {
-    {0x01, 0x01, "", cv5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cv5_10_evidence_1},      {0x01, 0x02, "", cv5_10_evidence_1},
+    {0x01, 0x03, "", cv5_10_evidence_1},      {0x01, 0x04, "", cv5_10_evidence_1},
+    {0x01, 0x06, "", cv5_10_evidence_1},      {0x0C, 0x11, "WRSLD", cv5_10_evidence_2},
+    {0x0C, 0x51, "WRSLD", cv5_10_evidence_2}, {0x0C, 0x64, "", cv5_10_evidence_3},
 };
 
 static const struct mip_profile_note cv5_10_notes[] = {
@@ -268,16 +253,11 @@ static const char cv5_15_evidence_2[] = "MSCL lists the choices for this device.
 static const char cv5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_15_fields[] = {
-    {0x01, 0x01, "", cv5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_15_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_15_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", cv5_15_evidence_1},      {0x01, 0x02, "", cv5_15_evidence_1},
+    {0x01, 0x03, "", cv5_15_evidence_1},      {0x01, 0x04, "", cv5_15_evidence_1},
+    {0x01, 0x06, "", cv5_15_evidence_1},      {0x0C, 0x11, "WRSLD", cv5_15_evidence_2},
+    {0x0C, 0x51, "WRSLD", cv5_15_evidence_2}, {0x0C, 0x64, "", cv5_15_evidence_3},
+    {0x0D, 0x14, "WRSLD", cv5_15_evidence_2}, {0x0D, 0x18, "WRSLD", cv5_15_evidence_2},
 };
 
 static const struct mip_profile_note cv5_15_notes[] = {
@@ -336,15 +316,11 @@ static const char cv5_25_evidence_2[] = "MSCL lists the choices for this device.
 static const char cv5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_25_fields[] = {
-    {0x01, 0x01, "", cv5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cv5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cv5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", cv5_25_evidence_1},      {0x01, 0x02, "", cv5_25_evidence_1},
+    {0x01, 0x03, "", cv5_25_evidence_1},      {0x01, 0x04, "", cv5_25_evidence_1},
+    {0x01, 0x06, "", cv5_25_evidence_1},      {0x0C, 0x11, "WRSLD", cv5_25_evidence_2},
+    {0x0C, 0x64, "", cv5_25_evidence_3},      {0x0D, 0x14, "WRSLD", cv5_25_evidence_2},
+    {0x0D, 0x18, "WRSLD", cv5_25_evidence_2},
 };
 
 static const struct mip_profile_note cv5_25_notes[] = {
@@ -401,30 +377,30 @@ static const char cv7_ahrs_evidence_3[] =
     "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
-    {0x01, 0x01, "", cv7_ahrs_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv7_ahrs_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv7_ahrs_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ahrs_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ahrs_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", NULL},                /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                     /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                     /* filter.reset */
-    {0x0D, 0x03, "", NULL},                     /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL},                /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_2}, /* filter.aiding_measurement_enable */
-    {0x13, 0x01, "WRSLD", NULL},                /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},                /* aiding.echo_control */
-    {0x13, 0x31, "", NULL},                     /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                     /* aiding.magnetic_field */
-    {0x80, 0x04, "", NULL},                     /* sensor.scaled_accel */
-    {0x82, 0x06, "", NULL},                     /* filter_data.gyro_bias */
+    {0x01, 0x01, "", cv7_ahrs_evidence_1},
+    {0x01, 0x02, "", cv7_ahrs_evidence_1},
+    {0x01, 0x03, "", cv7_ahrs_evidence_1},
+    {0x01, 0x04, "", cv7_ahrs_evidence_1},
+    {0x01, 0x06, "", cv7_ahrs_evidence_1},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_2},
+    {0x0C, 0x38, "WRSLD", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLD", NULL},
+    {0x0C, 0x3B, "WRSLD", NULL},
+    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_2},
+    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_3},
+    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_3},
+    {0x0D, 0x01, "", NULL},
+    {0x0D, 0x03, "", NULL},
+    {0x0D, 0x43, "WRSLD", NULL},
+    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_2},
+    {0x13, 0x01, "WRSLD", NULL},
+    {0x13, 0x1F, "WRSLD", NULL},
+    {0x13, 0x31, "", NULL},
+    {0x13, 0x32, "", NULL},
+    {0x80, 0x04, "", NULL},
+    {0x82, 0x06, "", NULL},
 };
 
 static const struct mip_profile_rate cv7_ahrs_rates[] = {
@@ -511,30 +487,30 @@ static const char cv7_ar_evidence_3[] =
     "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field cv7_ar_fields[] = {
-    {0x01, 0x01, "", cv7_ar_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cv7_ar_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cv7_ar_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ar_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ar_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_2}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},              /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},              /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},              /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                   /* filter.reset */
-    {0x0D, 0x03, "", NULL},                   /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL},              /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_2}, /* filter.aiding_measurement_enable */
-    {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
-    {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                   /* aiding.magnetic_field */
-    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
-    {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
+    {0x01, 0x01, "", cv7_ar_evidence_1},
+    {0x01, 0x02, "", cv7_ar_evidence_1},
+    {0x01, 0x03, "", cv7_ar_evidence_1},
+    {0x01, 0x04, "", cv7_ar_evidence_1},
+    {0x01, 0x06, "", cv7_ar_evidence_1},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_2},
+    {0x0C, 0x38, "WRSLD", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLD", NULL},
+    {0x0C, 0x3B, "WRSLD", NULL},
+    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_2},
+    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_3},
+    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_3},
+    {0x0D, 0x01, "", NULL},
+    {0x0D, 0x03, "", NULL},
+    {0x0D, 0x43, "WRSLD", NULL},
+    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_2},
+    {0x13, 0x01, "WRSLD", NULL},
+    {0x13, 0x1F, "WRSLD", NULL},
+    {0x13, 0x31, "", NULL},
+    {0x13, 0x32, "", NULL},
+    {0x80, 0x04, "", NULL},
+    {0x82, 0x06, "", NULL},
 };
 
 static const struct mip_profile_rate cv7_ar_rates[] = {
@@ -612,189 +588,98 @@ static const char cv7_gnss_ins_evidence_1[] =
     "The page on ports in the manual names it, but the list of commands does not.";
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
-    {0x01, 0x01, "", NULL},                         /* base.ping */
-    {0x01, 0x02, "", NULL},                         /* base.set_idle */
-    {0x01, 0x03, "", NULL},                         /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                         /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                         /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                         /* base.resume */
-    {0x01, 0x07, "", NULL},                         /* base.get_extended_descriptors */
-    {0x01, 0x08, "", NULL},                         /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", NULL},                    /* base.comm_speed */
-    {0x01, 0x72, "W", NULL},                        /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                         /* base.soft_reset */
-    {0x0C, 0x04, "", NULL},                         /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", NULL},                    /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", NULL},                         /* 3dm.poll_data */
-    {0x0C, 0x0E, "", NULL},                         /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", NULL},                    /* 3dm.message_format */
-    {0x0C, 0x10, "", NULL},                         /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", NULL},                    /* 3dm.data_stream_control */
-    {0x0C, 0x22, "WRSLD", NULL},                    /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x28, "WRSLD", NULL},                    /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", NULL},                         /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", NULL},                    /* 3dm.event_control */
-    {0x0C, 0x2C, "", NULL},                         /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", NULL},                         /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", NULL},                    /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", NULL},                    /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", NULL},                      /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", NULL},                    /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLD", NULL},                    /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD", NULL},                    /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                         /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                    /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                    /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x40, "WRSLD", NULL},                    /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD", NULL},                    /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", NULL},                       /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD", NULL},                    /* 3dm.odometer_config */
-    {0x0C, 0x50, "WRSLD", NULL},                    /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},                    /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", NULL},                    /* 3dm.sensor_range */
-    {0x0C, 0x53, "", NULL},                         /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", NULL},                    /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                         /* filter.reset */
-    {0x0D, 0x03, "", NULL},                         /* filter.set_initial_heading */
-    {0x0D, 0x05, "", NULL},                         /* filter.run */
-    {0x0D, 0x13, "WRSLD", NULL},                    /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", NULL},                    /* filter.gnss_source */
-    {0x0D, 0x17, "", NULL},                         /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", NULL},                    /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},                    /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", NULL},                    /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", NULL},                    /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", NULL},                         /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},                    /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", NULL},                    /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", NULL},                    /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", NULL},                    /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", NULL},                    /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", NULL},                    /* filter.adaptive_filter_options */
-    {0x0D, 0x54, "WRSLD", NULL},                    /* filter.multi_antenna_offset */
-    {0x0D, 0x55, "WRSLD", NULL},                    /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", NULL},                    /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD", NULL},                    /* filter.speed_lever_arm */
-    {0x0D, 0x63, "WRSLD", NULL},                    /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD", NULL},                    /* filter.gnss_antenna_calibration_control */
-    {0x0E, 0x01, "", NULL},                         /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD", NULL},                    /* gnss.signal_config */
-    {0x0E, 0x20, "WRSLD", NULL},                    /* gnss.spartn_config */
-    {0x13, 0x01, "WRSLD", NULL},                    /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},                    /* aiding.echo_control */
-    {0x13, 0x21, "", NULL},                         /* aiding.ecef_position */
-    {0x13, 0x22, "", NULL},                         /* aiding.llh_position */
-    {0x13, 0x23, "", NULL},                         /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", NULL},                         /* aiding.ecef_velocity */
-    {0x13, 0x29, "", NULL},                         /* aiding.ned_velocity */
-    {0x13, 0x2A, "", NULL},                         /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", NULL},                         /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                         /* aiding.magnetic_field */
-    {0x13, 0x33, "", NULL},                         /* aiding.pressure */
-    {0x7F, 0x02, "WRSLD", cv7_gnss_ins_evidence_1}, /* system.interface_control */
-    {0x80, 0x04, "", NULL},                         /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                         /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                         /* sensor.scaled_mag */
-    {0x80, 0x07, "", NULL},                         /* sensor.delta_theta */
-    {0x80, 0x08, "", NULL},                         /* sensor.delta_velocity */
-    {0x80, 0x09, "", NULL},                         /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", NULL},                         /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", NULL},                         /* sensor.comp_euler_angles */
-    {0x80, 0x12, "", NULL},                         /* sensor.gps_timestamp */
-    {0x80, 0x14, "", NULL},                         /* sensor.temperature_statistics */
-    {0x80, 0x17, "", NULL},                         /* sensor.scaled_pressure */
-    {0x80, 0x18, "", NULL},                         /* sensor.overrange_status */
-    {0x80, 0x40, "", NULL},                         /* sensor.odometer */
-    {0x82, 0x01, "", NULL},                         /* filter_data.llh_position */
-    {0x82, 0x02, "", NULL},                         /* filter_data.ned_velocity */
-    {0x82, 0x03, "", NULL},                         /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", NULL},                         /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},                         /* filter_data.euler_angles */
-    {0x82, 0x06, "", NULL},                         /* filter_data.gyro_bias */
-    {0x82, 0x07, "", NULL},                         /* filter_data.accel_bias */
-    {0x82, 0x08, "", NULL},                         /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", NULL},                         /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", NULL},                         /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", NULL},                         /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", NULL},                         /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", NULL},                         /* filter_data.linear_accel */
-    {0x82, 0x0E, "", NULL},                         /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", NULL},                         /* filter_data.status */
-    {0x82, 0x11, "", NULL},                         /* filter_data.timestamp */
-    {0x82, 0x12, "", NULL}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", NULL}, /* filter_data.gravity_vector */
-    {0x82, 0x15, "", NULL}, /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", NULL}, /* filter_data.comp_accel */
-    {0x82, 0x21, "", NULL}, /* filter_data.pressure_altitude */
-    {0x82, 0x34, "", NULL}, /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, "", NULL}, /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, "", NULL}, /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", NULL}, /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", NULL}, /* filter_data.ecef_position */
-    {0x82, 0x41, "", NULL}, /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", NULL}, /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", NULL}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", NULL}, /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, "", NULL}, /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, "", NULL}, /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, "", NULL}, /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, "", NULL}, /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "", NULL}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x91, 0x03, "", NULL}, /* gnss_1.llh_position */
-    {0x91, 0x04, "", NULL}, /* gnss_1.ecef_position */
-    {0x91, 0x05, "", NULL}, /* gnss_1.ned_velocity */
-    {0x91, 0x06, "", NULL}, /* gnss_1.ecef_velocity */
-    {0x91, 0x07, "", NULL}, /* gnss_1.dop */
-    {0x91, 0x08, "", NULL}, /* gnss_1.utc_time */
-    {0x91, 0x09, "", NULL}, /* gnss_1.gps_time */
-    {0x91, 0x0B, "", NULL}, /* gnss_1.fix_info */
-    {0x91, 0x0D, "", NULL}, /* gnss_1.hardware_status */
-    {0x91, 0x10, "", NULL}, /* gnss_1.clock_info_2 */
-    {0x91, 0x11, "", NULL}, /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, "", NULL}, /* gnss_1.sbas_info */
-    {0x91, 0x20, "", NULL}, /* gnss_1.satellite_status */
-    {0x91, 0x22, "", NULL}, /* gnss_1.raw */
-    {0x91, 0x61, "", NULL}, /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, "", NULL}, /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, "", NULL}, /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, "", NULL}, /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, "", NULL}, /* gnss_2.llh_position */
-    {0x92, 0x04, "", NULL}, /* gnss_2.ecef_position */
-    {0x92, 0x05, "", NULL}, /* gnss_2.ned_velocity */
-    {0x92, 0x06, "", NULL}, /* gnss_2.ecef_velocity */
-    {0x92, 0x07, "", NULL}, /* gnss_2.dop */
-    {0x92, 0x08, "", NULL}, /* gnss_2.utc_time */
-    {0x92, 0x09, "", NULL}, /* gnss_2.gps_time */
-    {0x92, 0x0B, "", NULL}, /* gnss_2.fix_info */
-    {0x92, 0x0D, "", NULL}, /* gnss_2.hardware_status */
-    {0x92, 0x10, "", NULL}, /* gnss_2.clock_info_2 */
-    {0x92, 0x11, "", NULL}, /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, "", NULL}, /* gnss_2.sbas_info */
-    {0x92, 0x20, "", NULL}, /* gnss_2.satellite_status */
-    {0x92, 0x22, "", NULL}, /* gnss_2.raw */
-    {0x92, 0x61, "", NULL}, /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, "", NULL}, /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, "", NULL}, /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, "", NULL}, /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, "", NULL}, /* gnss_corrections.base_station_info */
-    {0x93, 0x31, "", NULL}, /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, "", NULL}, /* gnss_external.llh_position */
-    {0x94, 0x05, "", NULL}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, "", NULL}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", NULL}, /* gnss_external.fix_info */
-    {0x94, 0x20, "", NULL}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", NULL}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", NULL}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", NULL}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", NULL}, /* shared.event_source */
-    {0xFF, 0xD3, "", NULL}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", NULL}, /* shared.delta_time */
-    {0xFF, 0xD5, "", NULL}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", NULL}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", NULL}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", NULL}, /* shared.external_time_delta */
+    {0x01, 0x01, "", NULL},      {0x01, 0x02, "", NULL},
+    {0x01, 0x03, "", NULL},      {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "", NULL},      {0x01, 0x06, "", NULL},
+    {0x01, 0x07, "", NULL},      {0x01, 0x08, "", NULL},
+    {0x01, 0x09, "WRSLD", NULL}, {0x01, 0x72, "W", NULL},
+    {0x01, 0x7E, "", NULL},      {0x0C, 0x04, "", NULL},
+    {0x0C, 0x0C, "WRSLD", NULL}, {0x0C, 0x0D, "", NULL},
+    {0x0C, 0x0E, "", NULL},      {0x0C, 0x0F, "WRSLD", NULL},
+    {0x0C, 0x10, "", NULL},      {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x22, "WRSLD", NULL}, {0x0C, 0x28, "WRSLD", NULL},
+    {0x0C, 0x2A, "", NULL},      {0x0C, 0x2B, "WRSLD", NULL},
+    {0x0C, 0x2C, "", NULL},      {0x0C, 0x2D, "", NULL},
+    {0x0C, 0x2E, "WRSLD", NULL}, {0x0C, 0x2F, "WRSLD", NULL},
+    {0x0C, 0x30, "SLD", NULL},   {0x0C, 0x31, "WRSLD", NULL},
+    {0x0C, 0x32, "WRSLD", NULL}, {0x0C, 0x33, "WRSLD", NULL},
+    {0x0C, 0x37, "WRSLD", NULL}, {0x0C, 0x38, "WRSLD", NULL},
+    {0x0C, 0x39, "", NULL},      {0x0C, 0x3A, "WRSLD", NULL},
+    {0x0C, 0x3B, "WRSLD", NULL}, {0x0C, 0x40, "WRSLD", NULL},
+    {0x0C, 0x41, "WRSLD", NULL}, {0x0C, 0x42, "WR", NULL},
+    {0x0C, 0x43, "WRSLD", NULL}, {0x0C, 0x50, "WRSLD", NULL},
+    {0x0C, 0x51, "WRSLD", NULL}, {0x0C, 0x52, "WRSLD", NULL},
+    {0x0C, 0x53, "", NULL},      {0x0C, 0x54, "WRSLD", NULL},
+    {0x0D, 0x01, "", NULL},      {0x0D, 0x03, "", NULL},
+    {0x0D, 0x05, "", NULL},      {0x0D, 0x13, "WRSLD", NULL},
+    {0x0D, 0x15, "WRSLD", NULL}, {0x0D, 0x17, "", NULL},
+    {0x0D, 0x1A, "WRSLD", NULL}, {0x0D, 0x1B, "WRSLD", NULL},
+    {0x0D, 0x1C, "WRSLD", NULL}, {0x0D, 0x1D, "WRSLD", NULL},
+    {0x0D, 0x1F, "", NULL},      {0x0D, 0x20, "WRSLD", NULL},
+    {0x0D, 0x28, "WRSLD", NULL}, {0x0D, 0x43, "WRSLD", NULL},
+    {0x0D, 0x50, "WRSLD", NULL}, {0x0D, 0x52, "WRSLD", NULL},
+    {0x0D, 0x53, "WRSLD", NULL}, {0x0D, 0x54, "WRSLD", NULL},
+    {0x0D, 0x55, "WRSLD", NULL}, {0x0D, 0x56, "WRSLD", NULL},
+    {0x0D, 0x61, "WRSLD", NULL}, {0x0D, 0x63, "WRSLD", NULL},
+    {0x0D, 0x64, "WRSLD", NULL}, {0x0E, 0x01, "", NULL},
+    {0x0E, 0x02, "WRSLD", NULL}, {0x0E, 0x20, "WRSLD", NULL},
+    {0x13, 0x01, "WRSLD", NULL}, {0x13, 0x1F, "WRSLD", NULL},
+    {0x13, 0x21, "", NULL},      {0x13, 0x22, "", NULL},
+    {0x13, 0x23, "", NULL},      {0x13, 0x28, "", NULL},
+    {0x13, 0x29, "", NULL},      {0x13, 0x2A, "", NULL},
+    {0x13, 0x31, "", NULL},      {0x13, 0x32, "", NULL},
+    {0x13, 0x33, "", NULL},      {0x7F, 0x02, "WRSLD", cv7_gnss_ins_evidence_1},
+    {0x80, 0x04, "", NULL},      {0x80, 0x05, "", NULL},
+    {0x80, 0x06, "", NULL},      {0x80, 0x07, "", NULL},
+    {0x80, 0x08, "", NULL},      {0x80, 0x09, "", NULL},
+    {0x80, 0x0A, "", NULL},      {0x80, 0x0C, "", NULL},
+    {0x80, 0x12, "", NULL},      {0x80, 0x14, "", NULL},
+    {0x80, 0x17, "", NULL},      {0x80, 0x18, "", NULL},
+    {0x80, 0x40, "", NULL},      {0x82, 0x01, "", NULL},
+    {0x82, 0x02, "", NULL},      {0x82, 0x03, "", NULL},
+    {0x82, 0x04, "", NULL},      {0x82, 0x05, "", NULL},
+    {0x82, 0x06, "", NULL},      {0x82, 0x07, "", NULL},
+    {0x82, 0x08, "", NULL},      {0x82, 0x09, "", NULL},
+    {0x82, 0x0A, "", NULL},      {0x82, 0x0B, "", NULL},
+    {0x82, 0x0C, "", NULL},      {0x82, 0x0D, "", NULL},
+    {0x82, 0x0E, "", NULL},      {0x82, 0x10, "", NULL},
+    {0x82, 0x11, "", NULL},      {0x82, 0x12, "", NULL},
+    {0x82, 0x13, "", NULL},      {0x82, 0x15, "", NULL},
+    {0x82, 0x1C, "", NULL},      {0x82, 0x21, "", NULL},
+    {0x82, 0x34, "", NULL},      {0x82, 0x35, "", NULL},
+    {0x82, 0x36, "", NULL},      {0x82, 0x37, "", NULL},
+    {0x82, 0x40, "", NULL},      {0x82, 0x41, "", NULL},
+    {0x82, 0x42, "", NULL},      {0x82, 0x43, "", NULL},
+    {0x82, 0x46, "", NULL},      {0x82, 0x47, "", NULL},
+    {0x82, 0x48, "", NULL},      {0x82, 0x49, "", NULL},
+    {0x82, 0x50, "", NULL},      {0x82, 0x51, "", NULL},
+    {0x91, 0x03, "", NULL},      {0x91, 0x04, "", NULL},
+    {0x91, 0x05, "", NULL},      {0x91, 0x06, "", NULL},
+    {0x91, 0x07, "", NULL},      {0x91, 0x08, "", NULL},
+    {0x91, 0x09, "", NULL},      {0x91, 0x0B, "", NULL},
+    {0x91, 0x0D, "", NULL},      {0x91, 0x10, "", NULL},
+    {0x91, 0x11, "", NULL},      {0x91, 0x12, "", NULL},
+    {0x91, 0x20, "", NULL},      {0x91, 0x22, "", NULL},
+    {0x91, 0x61, "", NULL},      {0x91, 0x62, "", NULL},
+    {0x91, 0x63, "", NULL},      {0x91, 0x64, "", NULL},
+    {0x92, 0x03, "", NULL},      {0x92, 0x04, "", NULL},
+    {0x92, 0x05, "", NULL},      {0x92, 0x06, "", NULL},
+    {0x92, 0x07, "", NULL},      {0x92, 0x08, "", NULL},
+    {0x92, 0x09, "", NULL},      {0x92, 0x0B, "", NULL},
+    {0x92, 0x0D, "", NULL},      {0x92, 0x10, "", NULL},
+    {0x92, 0x11, "", NULL},      {0x92, 0x12, "", NULL},
+    {0x92, 0x20, "", NULL},      {0x92, 0x22, "", NULL},
+    {0x92, 0x61, "", NULL},      {0x92, 0x62, "", NULL},
+    {0x92, 0x63, "", NULL},      {0x92, 0x64, "", NULL},
+    {0x93, 0x30, "", NULL},      {0x93, 0x31, "", NULL},
+    {0x94, 0x03, "", NULL},      {0x94, 0x05, "", NULL},
+    {0x94, 0x08, "", NULL},      {0x94, 0x0B, "", NULL},
+    {0x94, 0x20, "", NULL},      {0xA0, 0x01, "", NULL},
+    {0xA0, 0x02, "", NULL},      {0xA0, 0x03, "", NULL},
+    {0xFF, 0xD0, "", NULL},      {0xFF, 0xD3, "", NULL},
+    {0xFF, 0xD4, "", NULL},      {0xFF, 0xD5, "", NULL},
+    {0xFF, 0xD6, "", NULL},      {0xFF, 0xD7, "", NULL},
+    {0xFF, 0xD8, "", NULL},
 };
 
 static const struct mip_profile_rate cv7_gnss_ins_rates[] = {
@@ -1137,24 +1022,15 @@ static const char cv7_ins_evidence_2[] =
     "A test site of the vendor lists it for this device; the firmware is not known.";
 
 static const struct mip_profile_field cv7_ins_fields[] = {
-    {0x01, 0x01, "", cv7_ins_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", cv7_ins_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", cv7_ins_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", cv7_ins_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", cv7_ins_evidence_1}, /* base.resume */
-    {0x0D, 0x13, "WRSLD", NULL},          /* filter.antenna_offset */
-    {0x0D, 0x20, "WRSLD", NULL},          /* filter.auto_angular_zupt */
-    {0x94, 0x03, "", cv7_ins_evidence_2}, /* gnss_external.llh_position */
-    {0x94, 0x04, "", cv7_ins_evidence_2}, /* gnss_external.ecef_position */
-    {0x94, 0x05, "", cv7_ins_evidence_2}, /* gnss_external.ned_velocity */
-    {0x94, 0x06, "", cv7_ins_evidence_2}, /* gnss_external.ecef_velocity */
-    {0x94, 0x07, "", cv7_ins_evidence_2}, /* gnss_external.dop */
-    {0x94, 0x08, "", cv7_ins_evidence_2}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", cv7_ins_evidence_2}, /* gnss_external.fix_info */
-    {0x94, 0x10, "", cv7_ins_evidence_2}, /* gnss_external.clock_info_2 */
-    {0x94, 0x11, "", cv7_ins_evidence_2}, /* gnss_external.gps_leap_seconds */
-    {0x94, 0x14, "", cv7_ins_evidence_2}, /* gnss_external.rf_error_detection */
-    {0x94, 0x20, "", cv7_ins_evidence_2}, /* gnss_external.satellite_status */
+    {0x01, 0x01, "", cv7_ins_evidence_1}, {0x01, 0x02, "", cv7_ins_evidence_1},
+    {0x01, 0x03, "", cv7_ins_evidence_1}, {0x01, 0x04, "", cv7_ins_evidence_1},
+    {0x01, 0x06, "", cv7_ins_evidence_1}, {0x0D, 0x13, "WRSLD", NULL},
+    {0x0D, 0x20, "WRSLD", NULL},          {0x94, 0x03, "", cv7_ins_evidence_2},
+    {0x94, 0x04, "", cv7_ins_evidence_2}, {0x94, 0x05, "", cv7_ins_evidence_2},
+    {0x94, 0x06, "", cv7_ins_evidence_2}, {0x94, 0x07, "", cv7_ins_evidence_2},
+    {0x94, 0x08, "", cv7_ins_evidence_2}, {0x94, 0x0B, "", cv7_ins_evidence_2},
+    {0x94, 0x10, "", cv7_ins_evidence_2}, {0x94, 0x11, "", cv7_ins_evidence_2},
+    {0x94, 0x14, "", cv7_ins_evidence_2}, {0x94, 0x20, "", cv7_ins_evidence_2},
 };
 
 static const struct mip_profile_rate cv7_ins_rates[] = {
@@ -1209,14 +1085,10 @@ static const char cx5_10_evidence_2[] = "MSCL lists the choices for this device.
 static const char cx5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_10_fields[] = {
-    {0x01, 0x01, "", cx5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_10_evidence_1},      {0x01, 0x02, "", cx5_10_evidence_1},
+    {0x01, 0x03, "", cx5_10_evidence_1},      {0x01, 0x04, "", cx5_10_evidence_1},
+    {0x01, 0x06, "", cx5_10_evidence_1},      {0x0C, 0x11, "WRSLD", cx5_10_evidence_2},
+    {0x0C, 0x51, "WRSLD", cx5_10_evidence_2}, {0x0C, 0x64, "", cx5_10_evidence_3},
 };
 
 static const struct mip_profile_note cx5_10_notes[] = {
@@ -1275,14 +1147,10 @@ static const char cx5_15_evidence_2[] = "MSCL lists the choices for this device.
 static const char cx5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_15_fields[] = {
-    {0x01, 0x01, "", cx5_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_15_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_15_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_15_evidence_1},      {0x01, 0x02, "", cx5_15_evidence_1},
+    {0x01, 0x03, "", cx5_15_evidence_1},      {0x01, 0x04, "", cx5_15_evidence_1},
+    {0x01, 0x06, "", cx5_15_evidence_1},      {0x0C, 0x11, "WRSLD", cx5_15_evidence_2},
+    {0x0C, 0x51, "WRSLD", cx5_15_evidence_2}, {0x0C, 0x64, "", cx5_15_evidence_3},
 };
 
 static const struct mip_profile_note cx5_15_notes[] = {
@@ -1341,13 +1209,10 @@ static const char cx5_25_evidence_2[] = "MSCL lists the choices for this device.
 static const char cx5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_25_fields[] = {
-    {0x01, 0x01, "", cx5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_25_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_25_evidence_1}, {0x01, 0x02, "", cx5_25_evidence_1},
+    {0x01, 0x03, "", cx5_25_evidence_1}, {0x01, 0x04, "", cx5_25_evidence_1},
+    {0x01, 0x06, "", cx5_25_evidence_1}, {0x0C, 0x11, "WRSLD", cx5_25_evidence_2},
+    {0x0C, 0x64, "", cx5_25_evidence_3},
 };
 
 static const struct mip_profile_note cx5_25_notes[] = {
@@ -1406,13 +1271,10 @@ static const char cx5_35_evidence_2[] = "MSCL lists the choices for this device.
 static const char cx5_35_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_35_fields[] = {
-    {0x01, 0x01, "", cx5_35_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_35_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_35_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_35_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_35_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_35_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_35_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_35_evidence_1}, {0x01, 0x02, "", cx5_35_evidence_1},
+    {0x01, 0x03, "", cx5_35_evidence_1}, {0x01, 0x04, "", cx5_35_evidence_1},
+    {0x01, 0x06, "", cx5_35_evidence_1}, {0x0C, 0x11, "WRSLD", cx5_35_evidence_2},
+    {0x0C, 0x64, "", cx5_35_evidence_3},
 };
 
 static const struct mip_profile_note cx5_35_notes[] = {
@@ -1471,13 +1333,10 @@ static const char cx5_45_evidence_2[] = "MSCL lists the choices for this device.
 static const char cx5_45_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_45_fields[] = {
-    {0x01, 0x01, "", cx5_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", cx5_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", cx5_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", cx5_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", cx5_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", cx5_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_45_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_45_evidence_1}, {0x01, 0x02, "", cx5_45_evidence_1},
+    {0x01, 0x03, "", cx5_45_evidence_1}, {0x01, 0x04, "", cx5_45_evidence_1},
+    {0x01, 0x06, "", cx5_45_evidence_1}, {0x0C, 0x11, "WRSLD", cx5_45_evidence_2},
+    {0x0C, 0x64, "", cx5_45_evidence_3},
 };
 
 static const struct mip_profile_note cx5_45_notes[] = {
@@ -1530,12 +1389,9 @@ static const char dh3_evidence_1[] = "The vendor's software requests it from eve
 static const char dh3_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field dh3_fields[] = {
-    {0x01, 0x01, "", dh3_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", dh3_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", dh3_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", dh3_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", dh3_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", dh3_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", dh3_evidence_1}, {0x01, 0x02, "", dh3_evidence_1},
+    {0x01, 0x03, "", dh3_evidence_1}, {0x01, 0x04, "", dh3_evidence_1},
+    {0x01, 0x06, "", dh3_evidence_1}, {0x0C, 0x11, "WRSLD", dh3_evidence_2},
 };
 
 static const struct mip_profile_reading dh3_readings[] = {
@@ -1575,43 +1431,42 @@ static const char *const gq4_45_incomplete[] = {
 static const char gq4_45_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gq4_45_fields[] = {
-    {0x01, 0x01, "", NULL},                   /* base.ping */
-    {0x01, 0x02, "", NULL},                   /* base.set_idle */
-    {0x01, 0x03, "", NULL},                   /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                   /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                   /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                   /* base.resume */
-    {0x01, 0x72, "WRA", NULL},                /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                   /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                   /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                   /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                   /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                   /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                   /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},              /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},              /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},              /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                   /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                   /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", NULL},              /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},              /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x30, "SLD", NULL},                /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},             /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},             /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},             /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},             /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},              /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},              /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},              /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},              /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                   /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gq4_45_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gq4_45_evidence_1}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     gq4_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gq4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "", NULL},
+    {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "", NULL},
+    {0x01, 0x06, "", NULL},
+    {0x01, 0x72, "WRA", NULL},
+    {0x01, 0x7E, "", NULL},
+    {0x0C, 0x01, "", NULL},
+    {0x0C, 0x02, "", NULL},
+    {0x0C, 0x03, "", NULL},
+    {0x0C, 0x06, "", NULL},
+    {0x0C, 0x07, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},
+    {0x0C, 0x09, "WRSLD", NULL},
+    {0x0C, 0x0A, "WRSLD", NULL},
+    {0x0C, 0x0B, "", NULL},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x20, "", NULL},
+    {0x0C, 0x21, "WRSLD", NULL},
+    {0x0C, 0x22, "WRSLD", NULL},
+    {0x0C, 0x30, "SLD", NULL},
+    {0x0C, 0x37, "WRSLDA", NULL},
+    {0x0C, 0x38, "WRSLDA", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLDA", NULL},
+    {0x0C, 0x3B, "WRSLDA", NULL},
+    {0x0C, 0x3E, "WRSLD", NULL},
+    {0x0C, 0x40, "WRSLD", NULL},
+    {0x0C, 0x50, "WRSLD", NULL},
+    {0x0C, 0x51, "WRSLD", NULL},
+    {0x0C, 0x64, "", NULL},
+    {0x0D, 0x14, "WRSLD", gq4_45_evidence_1},
+    {0x0D, 0x18, "WRSLD", gq4_45_evidence_1},
+    {0x0D, 0x44, "WRSLD", gq4_45_evidence_1},
+    {0x0D, 0x45, "WRSLD", gq4_45_evidence_1},
 };
 
 static const struct mip_profile_note gq4_45_notes[] = {
@@ -1672,27 +1527,27 @@ static const char gq7_evidence_3[] =
     "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field gq7_fields[] = {
-    {0x01, 0x01, "", gq7_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gq7_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gq7_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gq7_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gq7_evidence_1},      /* base.resume */
-    {0x0C, 0x04, "", NULL},                /* 3dm.poll_nmea_data */
-    {0x0C, 0x31, "WRSLD", NULL},           /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x39, "", NULL},                /* 3dm.capture_gyro_bias */
-    {0x0C, 0x41, "WRSLD", gq7_evidence_2}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", gq7_evidence_3}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", gq7_evidence_3}, /* 3dm.low_pass_filter */
-    {0x0D, 0x05, "", NULL},                /* filter.run */
-    {0x0D, 0x15, "WRSLD", NULL},           /* filter.gnss_source */
-    {0x0D, 0x1E, "WRSLD", NULL},           /* filter.auto_zupt */
-    {0x0D, 0x20, "WRSLD", NULL},           /* filter.auto_angular_zupt */
-    {0x0D, 0x43, "WRSLD", NULL},           /* filter.magnetic_declination_source */
-    {0x0D, 0x52, "WRSLD", NULL},           /* filter.initialization_config */
-    {0x0D, 0x64, "WRSLD", NULL},           /* filter.gnss_antenna_calibration_control */
-    {0x91, 0x03, "", NULL},                /* gnss_1.llh_position */
-    {0x91, 0x0B, "", NULL},                /* gnss_1.fix_info */
-    {0x92, 0x0D, "", NULL},                /* gnss_2.hardware_status */
+    {0x01, 0x01, "", gq7_evidence_1},
+    {0x01, 0x02, "", gq7_evidence_1},
+    {0x01, 0x03, "", gq7_evidence_1},
+    {0x01, 0x04, "", gq7_evidence_1},
+    {0x01, 0x06, "", gq7_evidence_1},
+    {0x0C, 0x04, "", NULL},
+    {0x0C, 0x31, "WRSLD", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x41, "WRSLD", gq7_evidence_2},
+    {0x0C, 0x50, "WRSLD", gq7_evidence_3},
+    {0x0C, 0x54, "WRSLD", gq7_evidence_3},
+    {0x0D, 0x05, "", NULL},
+    {0x0D, 0x15, "WRSLD", NULL},
+    {0x0D, 0x1E, "WRSLD", NULL},
+    {0x0D, 0x20, "WRSLD", NULL},
+    {0x0D, 0x43, "WRSLD", NULL},
+    {0x0D, 0x52, "WRSLD", NULL},
+    {0x0D, 0x64, "WRSLD", NULL},
+    {0x91, 0x03, "", NULL},
+    {0x91, 0x0B, "", NULL},
+    {0x92, 0x0D, "", NULL},
 };
 
 static const struct mip_profile_rate gq7_rates[] = {
@@ -1770,11 +1625,9 @@ static const char *const gv7_ahrs_incomplete[] = {
 static const char gv7_ahrs_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
-    {0x01, 0x01, "", gv7_ahrs_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ahrs_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ahrs_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ahrs_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ahrs_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", gv7_ahrs_evidence_1}, {0x01, 0x02, "", gv7_ahrs_evidence_1},
+    {0x01, 0x03, "", gv7_ahrs_evidence_1}, {0x01, 0x04, "", gv7_ahrs_evidence_1},
+    {0x01, 0x06, "", gv7_ahrs_evidence_1},
 };
 
 const struct mip_profile mip_profile_gv7_ahrs = {
@@ -1813,11 +1666,9 @@ static const char *const gv7_ar_incomplete[] = {
 static const char gv7_ar_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ar_fields[] = {
-    {0x01, 0x01, "", gv7_ar_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ar_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ar_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ar_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ar_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", gv7_ar_evidence_1}, {0x01, 0x02, "", gv7_ar_evidence_1},
+    {0x01, 0x03, "", gv7_ar_evidence_1}, {0x01, 0x04, "", gv7_ar_evidence_1},
+    {0x01, 0x06, "", gv7_ar_evidence_1},
 };
 
 const struct mip_profile mip_profile_gv7_ar = {
@@ -1856,11 +1707,9 @@ static const char *const gv7_ins_incomplete[] = {
 static const char gv7_ins_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ins_fields[] = {
-    {0x01, 0x01, "", gv7_ins_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", gv7_ins_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", gv7_ins_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", gv7_ins_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", gv7_ins_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", gv7_ins_evidence_1}, {0x01, 0x02, "", gv7_ins_evidence_1},
+    {0x01, 0x03, "", gv7_ins_evidence_1}, {0x01, 0x04, "", gv7_ins_evidence_1},
+    {0x01, 0x06, "", gv7_ins_evidence_1},
 };
 
 const struct mip_profile mip_profile_gv7_ins = {
@@ -1901,12 +1750,9 @@ static const char gx3_15_evidence_1[] = "The vendor's software requests it from 
 static const char gx3_15_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_15_fields[] = {
-    {0x01, 0x01, "", gx3_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", gx3_15_evidence_1}, {0x01, 0x02, "", gx3_15_evidence_1},
+    {0x01, 0x03, "", gx3_15_evidence_1}, {0x01, 0x04, "", gx3_15_evidence_1},
+    {0x01, 0x06, "", gx3_15_evidence_1}, {0x0C, 0x11, "WRSLD", gx3_15_evidence_2},
 };
 
 static const struct mip_profile_reading gx3_15_readings[] = {
@@ -1952,12 +1798,9 @@ static const char gx3_25_evidence_1[] = "The vendor's software requests it from 
 static const char gx3_25_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_25_fields[] = {
-    {0x01, 0x01, "", gx3_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", gx3_25_evidence_1}, {0x01, 0x02, "", gx3_25_evidence_1},
+    {0x01, 0x03, "", gx3_25_evidence_1}, {0x01, 0x04, "", gx3_25_evidence_1},
+    {0x01, 0x06, "", gx3_25_evidence_1}, {0x0C, 0x11, "WRSLD", gx3_25_evidence_2},
 };
 
 static const struct mip_profile_reading gx3_25_readings[] = {
@@ -2005,18 +1848,12 @@ static const char gx3_35_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx3_35_evidence_3[] = "The SDK of 2014 has an example for this device.";
 
 static const struct mip_profile_field gx3_35_fields[] = {
-    {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_35_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_35_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_35_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_35_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_35_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x34, "WRSLD", gx3_35_evidence_3}, /* 3dm.gps_dynamics_mode */
-    {0x0C, 0x35, "WRSLD", gx3_35_evidence_3}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", gx3_35_evidence_3},    /* 3dm.imu_timestamp */
-    {0x0C, 0x60, "WRSLD", gx3_35_evidence_3}, /* 3dm.data_stream_format */
-    {0x0C, 0x61, "WRSLD", gx3_35_evidence_3}, /* 3dm.device_power_state */
-    {0x0C, 0x62, "SLD", gx3_35_evidence_3},   /* 3dm.gps_advanced_settings */
+    {0x01, 0x01, "", gx3_35_evidence_1},      {0x01, 0x02, "", gx3_35_evidence_1},
+    {0x01, 0x03, "", gx3_35_evidence_1},      {0x01, 0x04, "", gx3_35_evidence_1},
+    {0x01, 0x06, "", gx3_35_evidence_1},      {0x0C, 0x11, "WRSLD", gx3_35_evidence_2},
+    {0x0C, 0x34, "WRSLD", gx3_35_evidence_3}, {0x0C, 0x35, "WRSLD", gx3_35_evidence_3},
+    {0x0C, 0x36, "WR", gx3_35_evidence_3},    {0x0C, 0x60, "WRSLD", gx3_35_evidence_3},
+    {0x0C, 0x61, "WRSLD", gx3_35_evidence_3}, {0x0C, 0x62, "SLD", gx3_35_evidence_3},
 };
 
 static const struct mip_profile_reading gx3_35_readings[] = {
@@ -2064,19 +1901,12 @@ static const char gx3_45_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx3_45_evidence_3[] = "The SDK of 2014 has an example for this device.";
 
 static const struct mip_profile_field gx3_45_fields[] = {
-    {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx3_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx3_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx3_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx3_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx3_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0D, 0x04, "", gx3_45_evidence_3},      /* filter.set_initial_attitude_from_imu */
-    {0x0D, 0x10, "WRSLD", gx3_45_evidence_2}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x14, "WRSLD", gx3_45_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx3_45_evidence_2}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     gx3_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx3_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", gx3_45_evidence_1},      {0x01, 0x02, "", gx3_45_evidence_1},
+    {0x01, 0x03, "", gx3_45_evidence_1},      {0x01, 0x04, "", gx3_45_evidence_1},
+    {0x01, 0x06, "", gx3_45_evidence_1},      {0x0C, 0x11, "WRSLD", gx3_45_evidence_2},
+    {0x0D, 0x04, "", gx3_45_evidence_3},      {0x0D, 0x10, "WRSLD", gx3_45_evidence_2},
+    {0x0D, 0x14, "WRSLD", gx3_45_evidence_2}, {0x0D, 0x18, "WRSLD", gx3_45_evidence_2},
+    {0x0D, 0x44, "WRSLD", gx3_45_evidence_2}, {0x0D, 0x45, "WRSLD", gx3_45_evidence_2},
 };
 
 static const struct mip_profile_reading gx3_45_readings[] = {
@@ -2124,17 +1954,11 @@ static const char gx4_15_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx4_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_15_fields[] = {
-    {0x01, 0x01, "", gx4_15_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_15_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_15_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_15_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_15_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_15_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_15_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_15_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x44, "WRSLD",
-     gx4_15_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_15_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", gx4_15_evidence_1},      {0x01, 0x02, "", gx4_15_evidence_1},
+    {0x01, 0x03, "", gx4_15_evidence_1},      {0x01, 0x04, "", gx4_15_evidence_1},
+    {0x01, 0x06, "", gx4_15_evidence_1},      {0x0C, 0x11, "WRSLD", gx4_15_evidence_2},
+    {0x0C, 0x64, "", gx4_15_evidence_3},      {0x0D, 0x14, "WRSLD", gx4_15_evidence_2},
+    {0x0D, 0x44, "WRSLD", gx4_15_evidence_2}, {0x0D, 0x45, "WRSLD", gx4_15_evidence_2},
 };
 
 static const struct mip_profile_note gx4_15_notes[] = {
@@ -2189,18 +2013,12 @@ static const char gx4_25_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx4_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_25_fields[] = {
-    {0x01, 0x01, "", gx4_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_25_evidence_2}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     gx4_25_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_25_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", gx4_25_evidence_1},      {0x01, 0x02, "", gx4_25_evidence_1},
+    {0x01, 0x03, "", gx4_25_evidence_1},      {0x01, 0x04, "", gx4_25_evidence_1},
+    {0x01, 0x06, "", gx4_25_evidence_1},      {0x0C, 0x11, "WRSLD", gx4_25_evidence_2},
+    {0x0C, 0x64, "", gx4_25_evidence_3},      {0x0D, 0x14, "WRSLD", gx4_25_evidence_2},
+    {0x0D, 0x18, "WRSLD", gx4_25_evidence_2}, {0x0D, 0x44, "WRSLD", gx4_25_evidence_2},
+    {0x0D, 0x45, "WRSLD", gx4_25_evidence_2},
 };
 
 static const struct mip_profile_note gx4_25_notes[] = {
@@ -2255,18 +2073,12 @@ static const char gx4_45_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx4_45_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_45_fields[] = {
-    {0x01, 0x01, "", gx4_45_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx4_45_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx4_45_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx4_45_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx4_45_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx4_45_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_45_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_45_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_45_evidence_2}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     gx4_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", gx4_45_evidence_1},      {0x01, 0x02, "", gx4_45_evidence_1},
+    {0x01, 0x03, "", gx4_45_evidence_1},      {0x01, 0x04, "", gx4_45_evidence_1},
+    {0x01, 0x06, "", gx4_45_evidence_1},      {0x0C, 0x11, "WRSLD", gx4_45_evidence_2},
+    {0x0C, 0x64, "", gx4_45_evidence_3},      {0x0D, 0x14, "WRSLD", gx4_45_evidence_2},
+    {0x0D, 0x18, "WRSLD", gx4_45_evidence_2}, {0x0D, 0x44, "WRSLD", gx4_45_evidence_2},
+    {0x0D, 0x45, "WRSLD", gx4_45_evidence_2},
 };
 
 static const struct mip_profile_note gx4_45_notes[] = {
@@ -2325,14 +2137,10 @@ static const char gx5_10_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx5_10_fields[] = {
-    {0x01, 0x01, "", gx5_10_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx5_10_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx5_10_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx5_10_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx5_10_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx5_10_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", gx5_10_evidence_2}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", gx5_10_evidence_3},      /* 3dm.device_status */
+    {0x01, 0x01, "", gx5_10_evidence_1},      {0x01, 0x02, "", gx5_10_evidence_1},
+    {0x01, 0x03, "", gx5_10_evidence_1},      {0x01, 0x04, "", gx5_10_evidence_1},
+    {0x01, 0x06, "", gx5_10_evidence_1},      {0x0C, 0x11, "WRSLD", gx5_10_evidence_2},
+    {0x0C, 0x51, "WRSLD", gx5_10_evidence_2}, {0x0C, 0x64, "", gx5_10_evidence_3},
 };
 
 static const struct mip_profile_note gx5_10_notes[] = {
@@ -2381,79 +2189,31 @@ static const char *const gx5_15_also[] = {
 };
 
 static const struct mip_profile_field gx5_15_fields[] = {
-    {0x01, 0x01, "", NULL},       /* base.ping */
-    {0x01, 0x02, "", NULL},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},       /* base.get_device_info */
-    {0x01, 0x04, "", NULL},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},       /* base.built_in_test */
-    {0x01, 0x06, "", NULL},       /* base.resume */
-    {0x01, 0x07, "", NULL},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", NULL},    /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},       /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", NULL},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", NULL},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", NULL},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},       /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},       /* filter.reset */
-    {0x0D, 0x02, "", NULL},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", NULL},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", NULL},  /* filter.estimation_control */
-    {0x0D, 0x17, "", NULL},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", NULL},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", NULL},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", NULL},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", NULL},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", NULL},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", NULL},   /* filter.tare_orientation */
-    {0x0D, 0x23, "", NULL},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", NULL},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", NULL},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", NULL},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD", NULL},  /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", NULL},  /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", NULL},  /* system.comm_mode */
-    {0x80, 0x04, "", NULL},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", NULL},       /* sensor.delta_theta */
-    {0x80, 0x08, "", NULL},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", NULL},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", NULL},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", NULL},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", NULL},       /* sensor.north_vector */
-    {0x80, 0x11, "", NULL},       /* sensor.up_vector */
-    {0x80, 0x12, "", NULL},       /* sensor.gps_timestamp */
-    {0x80, 0x17, "", NULL},       /* sensor.scaled_pressure */
-    {0x82, 0x03, "", NULL},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", NULL},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", NULL},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", NULL},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", NULL},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", NULL},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", NULL},       /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", NULL},       /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", NULL},       /* filter_data.status */
-    {0x82, 0x11, "", NULL},       /* filter_data.timestamp */
-    {0x82, 0x12, "", NULL},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", NULL},       /* filter_data.gravity_vector */
-    {0x82, 0x14, "", NULL},       /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", NULL},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", NULL},       /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", NULL},       {0x01, 0x02, "", NULL},      {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", NULL},       {0x01, 0x05, "", NULL},      {0x01, 0x06, "", NULL},
+    {0x01, 0x07, "", NULL},       {0x01, 0x72, "WRA", NULL},   {0x01, 0x7E, "", NULL},
+    {0x0C, 0x01, "", NULL},       {0x0C, 0x03, "", NULL},      {0x0C, 0x06, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},  {0x0C, 0x0A, "WRSLD", NULL}, {0x0C, 0x0B, "", NULL},
+    {0x0C, 0x11, "WRSLD", NULL},  {0x0C, 0x30, "SLD", NULL},   {0x0C, 0x37, "WRSLDA", NULL},
+    {0x0C, 0x38, "WRSLDA", NULL}, {0x0C, 0x39, "", NULL},      {0x0C, 0x3E, "WRSLD", NULL},
+    {0x0C, 0x40, "WRSLD", NULL},  {0x0C, 0x50, "WRSLD", NULL}, {0x0C, 0x51, "WRSLD", NULL},
+    {0x0C, 0x64, "", NULL},       {0x0D, 0x01, "", NULL},      {0x0D, 0x02, "", NULL},
+    {0x0D, 0x03, "", NULL},       {0x0D, 0x11, "WRSLD", NULL}, {0x0D, 0x14, "WRSLD", NULL},
+    {0x0D, 0x17, "", NULL},       {0x0D, 0x18, "WRSLD", NULL}, {0x0D, 0x19, "WRSLD", NULL},
+    {0x0D, 0x1A, "WRSLD", NULL},  {0x0D, 0x1B, "WRSLD", NULL}, {0x0D, 0x1D, "WRSLD", NULL},
+    {0x0D, 0x1F, "", NULL},       {0x0D, 0x20, "WRSLD", NULL}, {0x0D, 0x21, "WSLD", NULL},
+    {0x0D, 0x23, "", NULL},       {0x0D, 0x26, "WRSLD", NULL}, {0x0D, 0x28, "WRSLD", NULL},
+    {0x0D, 0x41, "WRSLD", NULL},  {0x0D, 0x44, "WRSLD", NULL}, {0x0D, 0x4B, "WRSLD", NULL},
+    {0x7F, 0x10, "WRSLD", NULL},  {0x80, 0x04, "", NULL},      {0x80, 0x05, "", NULL},
+    {0x80, 0x07, "", NULL},       {0x80, 0x08, "", NULL},      {0x80, 0x09, "", NULL},
+    {0x80, 0x0A, "", NULL},       {0x80, 0x0C, "", NULL},      {0x80, 0x10, "", NULL},
+    {0x80, 0x11, "", NULL},       {0x80, 0x12, "", NULL},      {0x80, 0x17, "", NULL},
+    {0x82, 0x03, "", NULL},       {0x82, 0x04, "", NULL},      {0x82, 0x05, "", NULL},
+    {0x82, 0x06, "", NULL},       {0x82, 0x0A, "", NULL},      {0x82, 0x0B, "", NULL},
+    {0x82, 0x0D, "", NULL},       {0x82, 0x0E, "", NULL},      {0x82, 0x0F, "", NULL},
+    {0x82, 0x10, "", NULL},       {0x82, 0x11, "", NULL},      {0x82, 0x12, "", NULL},
+    {0x82, 0x13, "", NULL},       {0x82, 0x14, "", NULL},      {0x82, 0x1C, "", NULL},
+    {0x82, 0x21, "", NULL},
 };
 
 static const struct mip_profile_rate gx5_15_rates[] = {
@@ -2566,15 +2326,11 @@ static const char gx5_25_evidence_2[] = "MSCL lists the choices for this device.
 static const char gx5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx5_25_fields[] = {
-    {0x01, 0x01, "", gx5_25_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", gx5_25_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", gx5_25_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", gx5_25_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", gx5_25_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", gx5_25_evidence_2}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx5_25_evidence_3},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx5_25_evidence_2}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx5_25_evidence_2}, /* filter.heading_source */
+    {0x01, 0x01, "", gx5_25_evidence_1},      {0x01, 0x02, "", gx5_25_evidence_1},
+    {0x01, 0x03, "", gx5_25_evidence_1},      {0x01, 0x04, "", gx5_25_evidence_1},
+    {0x01, 0x06, "", gx5_25_evidence_1},      {0x0C, 0x11, "WRSLD", gx5_25_evidence_2},
+    {0x0C, 0x64, "", gx5_25_evidence_3},      {0x0D, 0x14, "WRSLD", gx5_25_evidence_2},
+    {0x0D, 0x18, "WRSLD", gx5_25_evidence_2},
 };
 
 static const struct mip_profile_note gx5_25_notes[] = {
@@ -2630,63 +2386,63 @@ static const char gx5_35_evidence_1[] =
     "The section numbers leave room for it, and the manual of a related device has it there.";
 
 static const struct mip_profile_field gx5_35_fields[] = {
-    {0x01, 0x01, "", NULL},                    /* base.ping */
-    {0x01, 0x02, "", gx5_35_evidence_1},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                    /* base.get_device_descriptors */
-    {0x01, 0x05, "", gx5_35_evidence_1},       /* base.built_in_test */
-    {0x01, 0x06, "", gx5_35_evidence_1},       /* base.resume */
-    {0x01, 0x07, "", NULL},                    /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", NULL},                 /* base.gps_time_update */
-    {0x01, 0x7E, "", gx5_35_evidence_1},       /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                    /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", gx5_35_evidence_1},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", gx5_35_evidence_1},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", NULL},               /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", NULL},               /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},               /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", NULL},               /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", NULL},                  /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},              /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", gx5_35_evidence_1}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                    /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", gx5_35_evidence_1}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},              /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", gx5_35_evidence_1},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", gx5_35_evidence_1},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", gx5_35_evidence_1},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},               /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", NULL},               /* system.comm_mode */
-    {0x80, 0x04, "", NULL},                    /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                    /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                    /* sensor.scaled_mag */
-    {0x80, 0x07, "", NULL},                    /* sensor.delta_theta */
-    {0x80, 0x08, "", gx5_35_evidence_1},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", gx5_35_evidence_1},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", gx5_35_evidence_1},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", gx5_35_evidence_1},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", gx5_35_evidence_1},       /* sensor.north_vector */
-    {0x80, 0x11, "", NULL},                    /* sensor.up_vector */
-    {0x80, 0x12, "", NULL},                    /* sensor.gps_timestamp */
-    {0x80, 0x17, "", NULL},                    /* sensor.scaled_pressure */
-    {0x81, 0x03, "", gx5_35_evidence_1},       /* gnss_data.llh_position */
-    {0x81, 0x04, "", gx5_35_evidence_1},       /* gnss_data.ecef_position */
-    {0x81, 0x05, "", gx5_35_evidence_1},       /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", NULL},                    /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", gx5_35_evidence_1},       /* gnss_data.dop */
-    {0x81, 0x08, "", gx5_35_evidence_1},       /* gnss_data.utc_time */
-    {0x81, 0x09, "", gx5_35_evidence_1},       /* gnss_data.gps_time */
-    {0x81, 0x0A, "", gx5_35_evidence_1},       /* gnss_data.clock_info */
-    {0x81, 0x0B, "", gx5_35_evidence_1},       /* gnss_data.fix_info */
-    {0x81, 0x0C, "", gx5_35_evidence_1},       /* gnss_data.sv_info */
-    {0x81, 0x0D, "", gx5_35_evidence_1},       /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL},                    /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", gx5_35_evidence_1},       /* gnss_data.dgps_channel */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "", gx5_35_evidence_1},
+    {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "", gx5_35_evidence_1},
+    {0x01, 0x06, "", gx5_35_evidence_1},
+    {0x01, 0x07, "", NULL},
+    {0x01, 0x72, "WRA", NULL},
+    {0x01, 0x7E, "", gx5_35_evidence_1},
+    {0x0C, 0x01, "", NULL},
+    {0x0C, 0x02, "", gx5_35_evidence_1},
+    {0x0C, 0x06, "", gx5_35_evidence_1},
+    {0x0C, 0x07, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},
+    {0x0C, 0x09, "WRSLD", NULL},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x21, "WRSLD", NULL},
+    {0x0C, 0x22, "WRSLD", NULL},
+    {0x0C, 0x23, "WRSLD", NULL},
+    {0x0C, 0x24, "WR", NULL},
+    {0x0C, 0x30, "SLD", NULL},
+    {0x0C, 0x37, "WRSLDA", NULL},
+    {0x0C, 0x38, "WRSLDA", gx5_35_evidence_1},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLDA", gx5_35_evidence_1},
+    {0x0C, 0x3B, "WRSLDA", NULL},
+    {0x0C, 0x3E, "WRSLD", gx5_35_evidence_1},
+    {0x0C, 0x40, "WRSLD", gx5_35_evidence_1},
+    {0x0C, 0x50, "WRSLD", gx5_35_evidence_1},
+    {0x0C, 0x51, "WRSLD", NULL},
+    {0x0C, 0x64, "", NULL},
+    {0x7F, 0x10, "WRSLD", NULL},
+    {0x80, 0x04, "", NULL},
+    {0x80, 0x05, "", NULL},
+    {0x80, 0x06, "", NULL},
+    {0x80, 0x07, "", NULL},
+    {0x80, 0x08, "", gx5_35_evidence_1},
+    {0x80, 0x09, "", gx5_35_evidence_1},
+    {0x80, 0x0A, "", gx5_35_evidence_1},
+    {0x80, 0x0C, "", gx5_35_evidence_1},
+    {0x80, 0x10, "", gx5_35_evidence_1},
+    {0x80, 0x11, "", NULL},
+    {0x80, 0x12, "", NULL},
+    {0x80, 0x17, "", NULL},
+    {0x81, 0x03, "", gx5_35_evidence_1},
+    {0x81, 0x04, "", gx5_35_evidence_1},
+    {0x81, 0x05, "", gx5_35_evidence_1},
+    {0x81, 0x06, "", NULL},
+    {0x81, 0x07, "", gx5_35_evidence_1},
+    {0x81, 0x08, "", gx5_35_evidence_1},
+    {0x81, 0x09, "", gx5_35_evidence_1},
+    {0x81, 0x0A, "", gx5_35_evidence_1},
+    {0x81, 0x0B, "", gx5_35_evidence_1},
+    {0x81, 0x0C, "", gx5_35_evidence_1},
+    {0x81, 0x0D, "", gx5_35_evidence_1},
+    {0x81, 0x0E, "", NULL},
+    {0x81, 0x0F, "", gx5_35_evidence_1},
 };
 
 static const struct mip_profile_rate gx5_35_rates[] = {
@@ -2761,107 +2517,107 @@ static const char gx5_45_evidence_1[] =
 static const char gx5_45_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx5_45_fields[] = {
-    {0x01, 0x01, "", gx5_45_evidence_1},       /* base.ping */
-    {0x01, 0x02, "", gx5_45_evidence_1},       /* base.set_idle */
-    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
-    {0x01, 0x04, "", gx5_45_evidence_1},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", gx5_45_evidence_1},       /* base.built_in_test */
-    {0x01, 0x06, "", gx5_45_evidence_1},       /* base.resume */
-    {0x01, 0x07, "", gx5_45_evidence_1},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", gx5_45_evidence_1},    /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                    /* base.soft_reset */
-    {0x0C, 0x01, "", gx5_45_evidence_1},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                    /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                    /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                    /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},               /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                    /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", gx5_45_evidence_1},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                    /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", gx5_45_evidence_1},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", gx5_45_evidence_1},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", gx5_45_evidence_1}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", gx5_45_evidence_1}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", gx5_45_evidence_1},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},              /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", gx5_45_evidence_1}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", gx5_45_evidence_1},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},               /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", gx5_45_evidence_1},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", gx5_45_evidence_1},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
-    {0x0D, 0x01, "", gx5_45_evidence_1},       /* filter.reset */
-    {0x0D, 0x02, "", gx5_45_evidence_1},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                    /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", NULL},               /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", NULL},               /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", NULL},               /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", NULL},               /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", NULL},               /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", NULL},               /* filter.gnss_source */
-    {0x0D, 0x16, "", NULL},                    /* filter.external_gnss_update */
-    {0x0D, 0x17, "", NULL},                    /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", NULL},               /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", NULL},               /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", NULL},               /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL},               /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", NULL},               /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", NULL},               /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", NULL},               /* filter.auto_zupt */
-    {0x0D, 0x1F, "", NULL},                    /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL},               /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", NULL},                /* filter.tare_orientation */
-    {0x0D, 0x22, "", NULL},                    /* filter.commanded_zupt */
-    {0x0D, 0x23, "", NULL},                    /* filter.commanded_angular_zupt */
-    {0x0D, 0x27, "WS", NULL},                  /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", NULL},               /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", NULL},               /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", NULL},               /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", NULL},               /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", NULL},               /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", NULL},               /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD", NULL}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", NULL}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD", NULL}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", NULL}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", NULL}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD", gx5_45_evidence_2}, /* filter.adaptive_filter_options */
-    {0x7F, 0x10, "WRSLD", NULL},              /* system.comm_mode */
-    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},                   /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},                   /* sensor.scaled_mag */
-    {0x80, 0x07, "", gx5_45_evidence_1},      /* sensor.delta_theta */
-    {0x80, 0x08, "", gx5_45_evidence_1},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", gx5_45_evidence_1},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", gx5_45_evidence_1},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", gx5_45_evidence_1},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", gx5_45_evidence_1},      /* sensor.north_vector */
-    {0x80, 0x11, "", gx5_45_evidence_1},      /* sensor.up_vector */
-    {0x80, 0x12, "", gx5_45_evidence_1},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", gx5_45_evidence_1},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", gx5_45_evidence_1},      /* gnss_data.llh_position */
-    {0x81, 0x04, "", gx5_45_evidence_1},      /* gnss_data.ecef_position */
-    {0x81, 0x05, "", gx5_45_evidence_1},      /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", gx5_45_evidence_1},      /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", gx5_45_evidence_1},      /* gnss_data.dop */
-    {0x81, 0x08, "", gx5_45_evidence_1},      /* gnss_data.utc_time */
-    {0x81, 0x09, "", gx5_45_evidence_1},      /* gnss_data.gps_time */
-    {0x81, 0x0A, "", gx5_45_evidence_1},      /* gnss_data.clock_info */
-    {0x81, 0x0B, "", gx5_45_evidence_1},      /* gnss_data.fix_info */
-    {0x81, 0x0C, "", NULL},                   /* gnss_data.sv_info */
-    {0x81, 0x0D, "", NULL},                   /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL},                   /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", NULL},                   /* gnss_data.dgps_channel */
-    {0x82, 0x04, "", NULL},                   /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL},                   /* filter_data.euler_angles */
-    {0x82, 0x0E, "", NULL},                   /* filter_data.comp_angular_rate */
-    {0x82, 0x14, "", NULL},                   /* filter_data.heading_update_state */
+    {0x01, 0x01, "", gx5_45_evidence_1},
+    {0x01, 0x02, "", gx5_45_evidence_1},
+    {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", gx5_45_evidence_1},
+    {0x01, 0x05, "", gx5_45_evidence_1},
+    {0x01, 0x06, "", gx5_45_evidence_1},
+    {0x01, 0x07, "", gx5_45_evidence_1},
+    {0x01, 0x72, "WRA", gx5_45_evidence_1},
+    {0x01, 0x7E, "", NULL},
+    {0x0C, 0x01, "", gx5_45_evidence_1},
+    {0x0C, 0x02, "", NULL},
+    {0x0C, 0x03, "", NULL},
+    {0x0C, 0x06, "", NULL},
+    {0x0C, 0x07, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},
+    {0x0C, 0x09, "WRSLD", NULL},
+    {0x0C, 0x0A, "WRSLD", NULL},
+    {0x0C, 0x0B, "", NULL},
+    {0x0C, 0x11, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x20, "", NULL},
+    {0x0C, 0x21, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x22, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x23, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x24, "WR", gx5_45_evidence_1},
+    {0x0C, 0x30, "SLD", NULL},
+    {0x0C, 0x37, "WRSLDA", gx5_45_evidence_1},
+    {0x0C, 0x38, "WRSLDA", gx5_45_evidence_1},
+    {0x0C, 0x39, "", gx5_45_evidence_1},
+    {0x0C, 0x3A, "WRSLDA", NULL},
+    {0x0C, 0x3B, "WRSLDA", gx5_45_evidence_1},
+    {0x0C, 0x3E, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x40, "WRSLD", NULL},
+    {0x0C, 0x50, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x51, "WRSLD", gx5_45_evidence_1},
+    {0x0C, 0x64, "", NULL},
+    {0x0D, 0x01, "", gx5_45_evidence_1},
+    {0x0D, 0x02, "", gx5_45_evidence_1},
+    {0x0D, 0x03, "", NULL},
+    {0x0D, 0x10, "WRSLD", NULL},
+    {0x0D, 0x11, "WRSLD", NULL},
+    {0x0D, 0x12, "WRSLD", NULL},
+    {0x0D, 0x13, "WRSLD", NULL},
+    {0x0D, 0x14, "WRSLD", NULL},
+    {0x0D, 0x15, "WRSLD", NULL},
+    {0x0D, 0x16, "", NULL},
+    {0x0D, 0x17, "", NULL},
+    {0x0D, 0x18, "WRSLD", NULL},
+    {0x0D, 0x19, "WRSLD", NULL},
+    {0x0D, 0x1A, "WRSLD", NULL},
+    {0x0D, 0x1B, "WRSLD", NULL},
+    {0x0D, 0x1C, "WRSLD", NULL},
+    {0x0D, 0x1D, "WRSLD", NULL},
+    {0x0D, 0x1E, "WRSLD", NULL},
+    {0x0D, 0x1F, "", NULL},
+    {0x0D, 0x20, "WRSLD", NULL},
+    {0x0D, 0x21, "WSLD", NULL},
+    {0x0D, 0x22, "", NULL},
+    {0x0D, 0x23, "", NULL},
+    {0x0D, 0x27, "WS", NULL},
+    {0x0D, 0x28, "WRSLD", NULL},
+    {0x0D, 0x29, "WRSLD", NULL},
+    {0x0D, 0x2B, "WRSLD", NULL},
+    {0x0D, 0x2C, "WRSLD", NULL},
+    {0x0D, 0x42, "WRSLD", NULL},
+    {0x0D, 0x43, "WRSLD", NULL},
+    {0x0D, 0x44, "WRSLD", NULL},
+    {0x0D, 0x45, "WRSLD", NULL},
+    {0x0D, 0x46, "WRSLD", NULL},
+    {0x0D, 0x47, "WRSLD", NULL},
+    {0x0D, 0x4B, "WRSLD", NULL},
+    {0x0D, 0x53, "WRSLD", gx5_45_evidence_2},
+    {0x7F, 0x10, "WRSLD", NULL},
+    {0x80, 0x04, "", NULL},
+    {0x80, 0x05, "", NULL},
+    {0x80, 0x06, "", NULL},
+    {0x80, 0x07, "", gx5_45_evidence_1},
+    {0x80, 0x08, "", gx5_45_evidence_1},
+    {0x80, 0x09, "", gx5_45_evidence_1},
+    {0x80, 0x0A, "", gx5_45_evidence_1},
+    {0x80, 0x0C, "", gx5_45_evidence_1},
+    {0x80, 0x10, "", gx5_45_evidence_1},
+    {0x80, 0x11, "", gx5_45_evidence_1},
+    {0x80, 0x12, "", gx5_45_evidence_1},
+    {0x80, 0x17, "", gx5_45_evidence_1},
+    {0x81, 0x03, "", gx5_45_evidence_1},
+    {0x81, 0x04, "", gx5_45_evidence_1},
+    {0x81, 0x05, "", gx5_45_evidence_1},
+    {0x81, 0x06, "", gx5_45_evidence_1},
+    {0x81, 0x07, "", gx5_45_evidence_1},
+    {0x81, 0x08, "", gx5_45_evidence_1},
+    {0x81, 0x09, "", gx5_45_evidence_1},
+    {0x81, 0x0A, "", gx5_45_evidence_1},
+    {0x81, 0x0B, "", gx5_45_evidence_1},
+    {0x81, 0x0C, "", NULL},
+    {0x81, 0x0D, "", NULL},
+    {0x81, 0x0E, "", NULL},
+    {0x81, 0x0F, "", NULL},
+    {0x82, 0x04, "", NULL},
+    {0x82, 0x05, "", NULL},
+    {0x82, 0x0E, "", NULL},
+    {0x82, 0x14, "", NULL},
 };
 
 static const struct mip_profile_rate gx5_45_rates[] = {
@@ -2945,12 +2701,9 @@ static const char mv5_ar_evidence_1[] = "The vendor's software requests it from 
 static const char mv5_ar_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field mv5_ar_fields[] = {
-    {0x01, 0x01, "", mv5_ar_evidence_1},      /* base.ping */
-    {0x01, 0x02, "", mv5_ar_evidence_1},      /* base.set_idle */
-    {0x01, 0x03, "", mv5_ar_evidence_1},      /* base.get_device_info */
-    {0x01, 0x04, "", mv5_ar_evidence_1},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", mv5_ar_evidence_1},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", mv5_ar_evidence_2}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", mv5_ar_evidence_1}, {0x01, 0x02, "", mv5_ar_evidence_1},
+    {0x01, 0x03, "", mv5_ar_evidence_1}, {0x01, 0x04, "", mv5_ar_evidence_1},
+    {0x01, 0x06, "", mv5_ar_evidence_1}, {0x0C, 0x11, "WRSLD", mv5_ar_evidence_2},
 };
 
 static const struct mip_profile_reading mv5_ar_readings[] = {
@@ -3000,43 +2753,41 @@ static const char *const rq1_45_lt_incomplete[] = {
 static const char rq1_45_lt_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
-    {0x01, 0x01, "", NULL},                      /* base.ping */
-    {0x01, 0x02, "", NULL},                      /* base.set_idle */
-    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                      /* base.resume */
-    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                      /* filter.reset */
-    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", rq1_45_lt_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", rq1_45_lt_evidence_1}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     rq1_45_lt_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     rq1_45_lt_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "", NULL},
+    {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "", NULL},
+    {0x01, 0x06, "", NULL},
+    {0x01, 0x7E, "", NULL},
+    {0x0C, 0x01, "", NULL},
+    {0x0C, 0x02, "", NULL},
+    {0x0C, 0x03, "", NULL},
+    {0x0C, 0x06, "", NULL},
+    {0x0C, 0x07, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},
+    {0x0C, 0x09, "WRSLD", NULL},
+    {0x0C, 0x0A, "WRSLD", NULL},
+    {0x0C, 0x0B, "", NULL},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x20, "", NULL},
+    {0x0C, 0x30, "SLD", NULL},
+    {0x0C, 0x37, "WRSLDA", NULL},
+    {0x0C, 0x38, "WRSLDA", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLDA", NULL},
+    {0x0C, 0x3B, "WRSLDA", NULL},
+    {0x0C, 0x3E, "WRSLD", NULL},
+    {0x0C, 0x40, "WRSLD", NULL},
+    {0x0C, 0x50, "WRSLD", NULL},
+    {0x0C, 0x64, "", NULL},
+    {0x0D, 0x01, "", NULL},
+    {0x0D, 0x02, "", NULL},
+    {0x0D, 0x03, "", NULL},
+    {0x0D, 0x14, "WRSLD", rq1_45_lt_evidence_1},
+    {0x0D, 0x18, "WRSLD", rq1_45_lt_evidence_1},
+    {0x0D, 0x44, "WRSLD", rq1_45_lt_evidence_1},
+    {0x0D, 0x45, "WRSLD", rq1_45_lt_evidence_1},
 };
 
 static const struct mip_profile_note rq1_45_lt_notes[] = {
@@ -3097,43 +2848,41 @@ static const char *const rq1_45_st_incomplete[] = {
 static const char rq1_45_st_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
-    {0x01, 0x01, "", NULL},                      /* base.ping */
-    {0x01, 0x02, "", NULL},                      /* base.set_idle */
-    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                      /* base.resume */
-    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", NULL},                      /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                      /* filter.reset */
-    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", rq1_45_st_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", rq1_45_st_evidence_1}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD",
-     rq1_45_st_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     rq1_45_st_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "", NULL},
+    {0x01, 0x03, "", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "", NULL},
+    {0x01, 0x06, "", NULL},
+    {0x01, 0x7E, "", NULL},
+    {0x0C, 0x01, "", NULL},
+    {0x0C, 0x02, "", NULL},
+    {0x0C, 0x03, "", NULL},
+    {0x0C, 0x06, "", NULL},
+    {0x0C, 0x07, "", NULL},
+    {0x0C, 0x08, "WRSLD", NULL},
+    {0x0C, 0x09, "WRSLD", NULL},
+    {0x0C, 0x0A, "WRSLD", NULL},
+    {0x0C, 0x0B, "", NULL},
+    {0x0C, 0x11, "WRSLD", NULL},
+    {0x0C, 0x20, "", NULL},
+    {0x0C, 0x30, "SLD", NULL},
+    {0x0C, 0x37, "WRSLDA", NULL},
+    {0x0C, 0x38, "WRSLDA", NULL},
+    {0x0C, 0x39, "", NULL},
+    {0x0C, 0x3A, "WRSLDA", NULL},
+    {0x0C, 0x3B, "WRSLDA", NULL},
+    {0x0C, 0x3E, "WRSLD", NULL},
+    {0x0C, 0x40, "WRSLD", NULL},
+    {0x0C, 0x50, "WRSLD", NULL},
+    {0x0C, 0x64, "", NULL},
+    {0x0D, 0x01, "", NULL},
+    {0x0D, 0x02, "", NULL},
+    {0x0D, 0x03, "", NULL},
+    {0x0D, 0x14, "WRSLD", rq1_45_st_evidence_1},
+    {0x0D, 0x18, "WRSLD", rq1_45_st_evidence_1},
+    {0x0D, 0x44, "WRSLD", rq1_45_st_evidence_1},
+    {0x0D, 0x45, "WRSLD", rq1_45_st_evidence_1},
 };
 
 static const struct mip_profile_note rq1_45_st_notes[] = {
@@ -3188,11 +2937,9 @@ static const char *const rtk_incomplete[] = {
 static const char rtk_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field rtk_fields[] = {
-    {0x01, 0x01, "", rtk_evidence_1}, /* base.ping */
-    {0x01, 0x02, "", rtk_evidence_1}, /* base.set_idle */
-    {0x01, 0x03, "", rtk_evidence_1}, /* base.get_device_info */
-    {0x01, 0x04, "", rtk_evidence_1}, /* base.get_device_descriptors */
-    {0x01, 0x06, "", rtk_evidence_1}, /* base.resume */
+    {0x01, 0x01, "", rtk_evidence_1}, {0x01, 0x02, "", rtk_evidence_1},
+    {0x01, 0x03, "", rtk_evidence_1}, {0x01, 0x04, "", rtk_evidence_1},
+    {0x01, 0x06, "", rtk_evidence_1},
 };
 
 const struct mip_profile mip_profile_rtk = {

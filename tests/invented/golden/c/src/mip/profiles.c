@@ -6,31 +6,15 @@
 /* Model A. */
 
 static const struct mip_profile_field model_a_fields[] = {
-    {0x01, 0x01, "", NULL},       /* tools.ping */
-    {0x01, 0x02, "WRSLDA", NULL}, /* tools.settings */
-    {0x01, 0x03, "WRA", NULL},    /* tools.set_time */
-    {0x01, 0x04, "", NULL},       /* tools.status */
-    {0x01, 0x05, "WRSLD", NULL},  /* tools.bias */
-    {0x01, 0x06, "", NULL},       /* tools.capture_bias */
-    {0x01, 0x07, "", NULL},       /* tools.formats */
-    {0x01, 0x08, "WR", NULL},     /* tools.choice */
-    {0x01, 0x09, "WRS", NULL},    /* tools.list */
-    {0x01, 0x0A, "", NULL},       /* tools.inventory */
-    {0x01, 0x0B, "WR", NULL},     /* tools.pin */
-    {0x01, 0x0D, "", NULL},       /* tools.readings */
-    {0x0C, 0x10, "", NULL},       /* 3d.default */
-    {0x80, 0x01, "", NULL},       /* measurements.accel */
-    {0x80, 0x02, "", NULL},       /* measurements.numbers */
-    {0x80, 0x03, "", NULL},       /* measurements.strings */
-    {0x80, 0x04, "", NULL},       /* measurements.health */
-    {0x80, 0x05, "", NULL},       /* measurements.arrays */
-    {0x80, 0x06, "", NULL},       /* measurements.growing */
-    {0x80, 0x08, "", NULL},       /* measurements.cloud */
-    {0x80, 0x0A, "", NULL},       /* measurements.breeze */
-    {0x81, 0x01, "", NULL},       /* more.accel */
-    {0x81, 0x03, "", NULL},       /* more.strings */
-    {0x81, 0x07, "", NULL},       /* more.own */
-    {0xFF, 0xD3, "", NULL},       /* shared.timestamp */
+    {0x01, 0x01, "", NULL}, {0x01, 0x02, "WRSLDA", NULL}, {0x01, 0x03, "WRA", NULL},
+    {0x01, 0x04, "", NULL}, {0x01, 0x05, "WRSLD", NULL},  {0x01, 0x06, "", NULL},
+    {0x01, 0x07, "", NULL}, {0x01, 0x08, "WR", NULL},     {0x01, 0x09, "WRS", NULL},
+    {0x01, 0x0A, "", NULL}, {0x01, 0x0B, "WR", NULL},     {0x01, 0x0D, "", NULL},
+    {0x0C, 0x10, "", NULL}, {0x80, 0x01, "", NULL},       {0x80, 0x02, "", NULL},
+    {0x80, 0x03, "", NULL}, {0x80, 0x04, "", NULL},       {0x80, 0x05, "", NULL},
+    {0x80, 0x06, "", NULL}, {0x80, 0x08, "", NULL},       {0x80, 0x0A, "", NULL},
+    {0x81, 0x01, "", NULL}, {0x81, 0x03, "", NULL},       {0x81, 0x07, "", NULL},
+    {0xFF, 0xD3, "", NULL},
 };
 
 static const struct mip_profile_rate model_a_rates[] = {
@@ -97,10 +81,10 @@ const struct mip_profile mip_profile_model_a = {
 /* Model B. */
 
 static const struct mip_profile_field model_b_fields[] = {
-    {0x01, 0x01, "", NULL},   /* tools.ping */
-    {0x01, 0x02, "WR", NULL}, /* tools.settings */
-    {0x01, 0x04, "", NULL},   /* tools.status */
-    {0x80, 0x01, "", NULL},   /* measurements.accel */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "WR", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x80, 0x01, "", NULL},
 };
 
 static const struct mip_profile_rate model_b_rates[] = {
@@ -152,31 +136,31 @@ static const char *const model_c_also[] = {
 static const char model_c_evidence_1[] = "The sheet names it.";
 
 static const struct mip_profile_field model_c_fields[] = {
-    {0x01, 0x01, "", NULL},               /* tools.ping */
-    {0x01, 0x02, "WRS", NULL},            /* tools.settings */
-    {0x01, 0x03, "WRA", NULL},            /* tools.set_time */
-    {0x01, 0x04, "", NULL},               /* tools.status */
-    {0x01, 0x05, "WRSLD", NULL},          /* tools.bias */
-    {0x01, 0x06, "", NULL},               /* tools.capture_bias */
-    {0x01, 0x07, "", NULL},               /* tools.formats */
-    {0x01, 0x09, "WRS", NULL},            /* tools.list */
-    {0x01, 0x0A, "", NULL},               /* tools.inventory */
-    {0x01, 0x0B, "WR", NULL},             /* tools.pin */
-    {0x01, 0x0C, "", model_c_evidence_1}, /* tools.hello */
-    {0x01, 0x0D, "", NULL},               /* tools.readings */
-    {0x80, 0x01, "", NULL},               /* measurements.accel */
-    {0x80, 0x02, "", NULL},               /* measurements.numbers */
-    {0x80, 0x03, "", NULL},               /* measurements.strings */
-    {0x80, 0x04, "", NULL},               /* measurements.health */
-    {0x80, 0x05, "", NULL},               /* measurements.arrays */
-    {0x80, 0x06, "", NULL},               /* measurements.growing */
-    {0x80, 0x07, "", NULL},               /* measurements.radio */
-    {0x80, 0x08, "", NULL},               /* measurements.cloud */
-    {0x80, 0x0A, "", NULL},               /* measurements.breeze */
-    {0x81, 0x01, "", NULL},               /* more.accel */
-    {0x81, 0x07, "", NULL},               /* more.own */
-    {0x92, 0x01, "", model_c_evidence_1}, /* copy.accel */
-    {0xFF, 0xD3, "", NULL},               /* shared.timestamp */
+    {0x01, 0x01, "", NULL},
+    {0x01, 0x02, "WRS", NULL},
+    {0x01, 0x03, "WRA", NULL},
+    {0x01, 0x04, "", NULL},
+    {0x01, 0x05, "WRSLD", NULL},
+    {0x01, 0x06, "", NULL},
+    {0x01, 0x07, "", NULL},
+    {0x01, 0x09, "WRS", NULL},
+    {0x01, 0x0A, "", NULL},
+    {0x01, 0x0B, "WR", NULL},
+    {0x01, 0x0C, "", model_c_evidence_1},
+    {0x01, 0x0D, "", NULL},
+    {0x80, 0x01, "", NULL},
+    {0x80, 0x02, "", NULL},
+    {0x80, 0x03, "", NULL},
+    {0x80, 0x04, "", NULL},
+    {0x80, 0x05, "", NULL},
+    {0x80, 0x06, "", NULL},
+    {0x80, 0x07, "", NULL},
+    {0x80, 0x08, "", NULL},
+    {0x80, 0x0A, "", NULL},
+    {0x81, 0x01, "", NULL},
+    {0x81, 0x07, "", NULL},
+    {0x92, 0x01, "", model_c_evidence_1},
+    {0xFF, 0xD3, "", NULL},
 };
 
 static const struct mip_profile_rate model_c_rates[] = {
@@ -241,8 +225,8 @@ static const char *const old_1_incomplete[] = {
 static const char old_1_evidence_1[] = "All old devices have it.";
 
 static const struct mip_profile_field old_1_fields[] = {
-    {0x01, 0x01, "", NULL},             /* tools.ping */
-    {0x80, 0x02, "", old_1_evidence_1}, /* measurements.numbers */
+    {0x01, 0x01, "", NULL},
+    {0x80, 0x02, "", old_1_evidence_1},
 };
 
 const struct mip_profile mip_profile_old_1 = {
@@ -281,8 +265,8 @@ static const char *const old_2_incomplete[] = {
 static const char old_2_evidence_1[] = "All old devices have it.";
 
 static const struct mip_profile_field old_2_fields[] = {
-    {0x01, 0x01, "", old_2_evidence_1}, /* tools.ping */
-    {0x80, 0x02, "", old_2_evidence_1}, /* measurements.numbers */
+    {0x01, 0x01, "", old_2_evidence_1},
+    {0x80, 0x02, "", old_2_evidence_1},
 };
 
 const struct mip_profile mip_profile_old_2 = {
