@@ -9,7 +9,7 @@ from mipgen import cli
 from mipgen.audit import tables, witnesses
 from mipgen.read.problems import SpecError
 from small_specs import load
-from support import ROOT, SEED, model
+from support import ROOT, SEED, model, rounds
 from witness_changes import run
 
 SPEC = """\
@@ -217,10 +217,10 @@ def test_the_specification_agrees_with_its_witnesses() -> None:
 
 
 def test_most_random_changes_are_found() -> None:
-    """Two of each kind; `python tests/witness_changes.py` makes 200."""
-    found = run(22, SEED, False)
+    """One of each kind; `python tests/witness_changes.py` makes 200."""
+    found = run(rounds(11, 200), SEED, False)
     missed = [str(place) for place, by in found if not by]
-    assert len(missed) <= 6, missed
+    assert 2 * len(missed) < len(found), missed
 
 
 # --------------------------------------------------------------------------- tables of manuals
