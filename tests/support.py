@@ -22,6 +22,7 @@ import pytest
 from mipgen import cli
 from mipgen import model as m
 from mipgen.base import cache as kept
+from mipgen.base.resources import MANIFEST
 from mipgen.emit import discovery, stamp
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
@@ -108,6 +109,13 @@ def model(spec: str) -> m.Model:
         kept.put("model", {key: known})
     found: m.Model = pickle.loads(known)
     return found
+
+
+def generated(target: str, spec: str) -> dict[str, bytes]:
+    """The output of a target as it is in its folder, which `make check` compares with what would be made now."""
+    folder = SPECS[spec][1] / target
+    _, *paths = (folder / MANIFEST).read_text("utf-8").splitlines()
+    return {path: (folder / path).read_bytes() for path in (*paths, MANIFEST)}
 
 
 class later:

@@ -15,7 +15,7 @@ from mipgen import model as m
 from mipgen.emit import render
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
-from support import heavy, model
+from support import generated, heavy, model
 
 #: For tests that take long, as they compile each program or build the site: the real one in `make test-all` only.
 REAL = pytest.param("real", marks=heavy("programs and site of the real reference"))
@@ -202,7 +202,7 @@ def made(of: m.Model) -> Manual:
 
 @functools.cache
 def manual_of(spec: str) -> Manual:
-    return made(model(spec))
+    return Manual(model(spec), generated("markdown", spec))
 
 
 def navigation(manual: Manual) -> list[tuple[str, str]]:

@@ -68,6 +68,9 @@ ROWS = [
     ("tools.capture_bias", "| time | u16 | s | 1 to 30 |"),
     ("tools.bias", "| bias | vector3f | g |"),
     ("measurements.breeze", "| -1 to 1, magnitude 0.5 to 1.5 | 1, 0, 0, 0 |"),
+    ("tools.poll", "80 | descriptor_set | 0x80 Measurements |"),
+    ("tools.poll", "01 | first | 0x01 Acceleration |"),
+    ("tools.poll", "| descriptors | 0x01 Acceleration, 0x02 Numbers, 0xD3 Timestamp, 0x7F |"),
 ]
 
 

@@ -9,7 +9,7 @@ from mipgen import cli
 from mipgen.audit import tables, witnesses
 from mipgen.read.problems import SpecError
 from small_specs import load
-from support import ROOT, SEED, model
+from support import ROOT, SEED, model, rounds
 from witness_changes import run
 
 SPEC = """\
@@ -40,6 +40,7 @@ fields:
     responses: [{response: 0x81, parameters: as_command}]
   - command: 0x02
     name: move
+    also: [run]
     title: Move
     description: Moves.
     sources: [{manual: guide, section: It}]
@@ -62,7 +63,7 @@ layouts:
   {name: spare, type: u8, count: 3, for: W},
   {name: num_steps, type: u8, for: W},
   {name: steps, type: struct, struct: Step, by: num_steps, for: W}]}
-- {key: "0x05,0x02", role: command, name: Move, parameters: [
+- {key: "0x05,0x02", role: command, name: "commands_radio::Run", parameters: [
   {name: speed, type: float, unit: sec},
   {name: place, type: float, count: 3, of: Vector3f, unit: meters, frames: [sensor]},
   {name: valid_flags, type: u8, bitfield: Valid}]}
@@ -111,12 +112,13 @@ def test_what_agrees_is_no_finding(tmp_path: Path) -> None:
         ("by: num_steps", "by: channel", "tune: steps.at: repeated by num_steps, witness channel"),
         ("{name: size, type: u8}", "{name: length, type: u8}", "tune: steps.size: name size, witness length"),
         ("SPEED: [0, 1], PLACE: [1, 1]", "PLACE: [0, 1], SPEED: [1, 1]", "move: speed: valid by bit 0, witness 1"),
+        ("radio::Run", "radio::Run::Response", "move: names move, run, witness commands_radio::Run::Response"),
         ("functions: WR", "functions: WRS", "tune: functions WR, witness WRS"),
         ('response: "0x81"', 'response: "0x82"', "tune: responses 0x81, witness 0x82"),
         (
             '"0x05,0x02"',
             '"0x05,0x03"',
-            "0x05,0x03: no such command; the witness has Move: speed:float, place:float, valid_flags:u8",
+            "0x05,0x03: no such command; the witness has commands_radio::Run: speed:float, place:float, valid_flags:u8",
         ),
         ("named: {}", 'named: {"0x05,0x33": LOST}', "0x05,0x33: not listed; the witness names it LOST"),
     ],
@@ -215,10 +217,10 @@ def test_the_specification_agrees_with_its_witnesses() -> None:
 
 
 def test_most_random_changes_are_found() -> None:
-    """Two of each kind; `python tests/witness_changes.py` makes 200."""
-    found = run(22, SEED, False)
+    """One of each kind; `python tests/witness_changes.py` makes 200."""
+    found = run(rounds(11, 200), SEED, False)
     missed = [str(place) for place, by in found if not by]
-    assert len(missed) <= 6, missed
+    assert 2 * len(missed) < len(found), missed
 
 
 # --------------------------------------------------------------------------- tables of manuals

@@ -11,7 +11,7 @@ import vm from "node:vm";
 const script = path.resolve(process.env.WORKBENCH, "workbench.js");
 const load = (name) => import(pathToFileURL(path.resolve(process.env.FOLDER, name)));
 await import(pathToFileURL(script));
-const { Protocol, bytesOfText, find, indexOf, model, toHex } = globalThis.mip;
+const { Protocol, bytesOfText, find, indexOf, initialValues, model, toHex } = globalThis.mip;
 const protocol = new Protocol(model);
 
 test("the script has all of the codec and the model, and nothing is global but `mip`", async () => {
@@ -166,4 +166,20 @@ test("what is left out of a pasted text is listed", () => {
     ]) {
         assert.deepEqual(bytesOfText(text).ignored, ignored, text);
     }
+});
+
+// ------------------------------------------------------------------------------------------- values to begin with
+
+test("a value begins with its default, which may be the names of bits; a text of no fixed length begins empty", () => {
+    const type = model.types.find((one) => one.kind === "bitfield" && one.bits?.length > 1 && one.bits[1].first > 0);
+    const [a, b] = type.bits;
+    const begin = (kind, parameter) => {
+        const field = { parameters: [{ name: "it", ...parameter }], operations: [{ kind, member: "it" }] };
+        return initialValues(protocol, field).it;
+    };
+    assert.equal(begin("scalar", { type: type.name, default: [a.name, b.name] }), 2 ** a.first + 2 ** b.first);
+    assert.equal(begin("scalar", { type: "u8", default: 7 }), 7);
+    assert.equal(begin("scalar", { type: "u8", minimum: 3 }), 3);
+    assert.equal(begin("text", {}), "");
+    assert.equal(begin("text", { default: "ab" }), "ab");
 });

@@ -1,8 +1,8 @@
 """Compares the devices of the specification with what another source knows of them.
 
-Like the facts of `audit_sdk` they are no part of the project. They are two files in one folder: `models.yaml` has the
-models by name and number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that
-is not there is not compared.
+These facts are no part of the project. They are two files in one folder: `models.yaml` has the models by name and
+number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that is not there is not
+compared. Facts about all layouts are beside them, in `witness.yaml`, which `witnesses` compares.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from mipgen.read.problems import Problems
 
 from .manuals import Finding
 
-MODELS, DEVICES = "models.yaml", "devices.yaml"
+MODELS, DEVICES, WITNESS = "models.yaml", "devices.yaml", "witness.yaml"
 
 #: How sure the source is of a field: read in a manual, or in its contents or concluded from it.
 CERTAIN, PERHAPS = ("seen",), ("contents", "inferred")

@@ -229,6 +229,10 @@ class _Layout:
     def about(self, layout: dict[str, Any]) -> None:
         f = self.field
         self.counts["layouts"] += 1
+        _, scoped, name = layout["name"].partition("::")  # titles of a manual are no names
+        self.counts["names"] += bool(scoped)
+        if scoped and not any(self.same(known, name.replace("::", "")) for known in (f.name, *f.also)):
+            self.note(f"names {', '.join((f.name, *f.also))}, witness {layout['name']}")
         ours, theirs = m.letters(f.functions).replace("A", ""), layout.get("functions")
         if bool(f.functions) != (theirs is not None) and (theirs is not None or not self.partial):
             self.note(f"functions {ours or 'none'}, witness {theirs or 'none'}")

@@ -162,7 +162,7 @@ def parser() -> argparse.ArgumentParser:
         "--sdk",
         type=folder,
         metavar="FOLDER",
-        help="facts about the vendor's SDK and devices: layouts.yaml, names.yaml, models.yaml, devices.yaml",
+        help="facts about the vendor's SDK and devices: witness.yaml, models.yaml, devices.yaml",
     )
     audit.add_argument(
         "--witness", type=folder, metavar="FOLDER", help="compare with facts extracted from other sources: spec/witness"

@@ -306,7 +306,7 @@ class Unreadable(Failure):
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, sdk, witnesses
+    from mipgen.audit import devices, manuals, witnesses
     from mipgen.read.problems import nearest
 
     if not options.manual and options.sdk is None and options.witness is None:
@@ -327,9 +327,9 @@ def audit(options: Namespace) -> int:
     if options.sdk is not None:
         if not options.sdk.is_dir():
             raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
-        findings += [*sdk.audit(model, options.sdk), *devices.audit(model, options.sdk)]
+        findings += devices.audit(model, options.sdk)
     lines = [str(finding) for finding in findings]
-    if options.sdk is not None and (revision := options.sdk / sdk.WITNESS).is_file():
+    if options.sdk is not None and (revision := options.sdk / devices.WITNESS).is_file():
         lines += witnesses.audit(model, options.witness or _specs(options)[0] / "witness", revision).lines()
     elif options.witness is not None:
         if not options.witness.is_dir():

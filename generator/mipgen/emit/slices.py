@@ -167,14 +167,17 @@ class Slice(Anew):
         self.slices = slices
         self.folder = slices.out / target
         self.key = cache.key(slices.key, target)
+        self._readers = cache.key(slices.key, target, "readers")
         self.digests: dict[str, bytes] = {}  # of what was made last time; of files
         self.readers: dict[Address, frozenset[str]] = {}  # what was made of it
+        self.stored = b""  # the digest of the readers, which change rarely and have an entry of their own
         self.read: dict[str, set[Address]] = {}  # what is made now
         data = cache.get("slices", self.key)
-        if data is not None:
-            of, digests, readers = pickle.loads(data)
-            if of == slices.before:
-                self.digests, self.readers = digests, readers
+        readers = cache.get("slices", self._readers)
+        if data is not None and readers is not None:
+            of, digests, self.stored = pickle.loads(data)
+            if of == slices.before and self.stored == _digest(readers):
+                self.digests, self.readers = digests, pickle.loads(readers)
         parts = {a >> _PART for a in slices.changed if a & _WHOLE == _WHOLE}
         affected = [what for a, what in self.readers.items() if a >> _PART in parts] if parts else []
         affected += [self.readers[a] for a in slices.changed if a in self.readers]
@@ -208,14 +211,22 @@ class Slice(Anew):
 
     def keep(self, files: Mapping[str, bytes]) -> None:
         digests = {NAMES: b"", PLAN: b"", **{path: _digest(data) for path, data in files.items()}}
-        again = self.read.keys() | (self.digests.keys() - digests.keys())
-        readers = {a: what - again for a, what in self.readers.items()}
-        for what, read in self.read.items():
-            for a in read:
-                readers[a] = readers.get(a, frozenset()) | {what}
-        same: dict[frozenset[str], frozenset[str]] = {}  # one object for equal ones, which makes them small to store
-        readers = {a: same.setdefault(what, what) for a, what in readers.items() if what}
-        cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, readers), 5)})
+        readers, nobody = self.readers, frozenset[str]()
+        known = all(what in readers.get(a, nobody) for what, read in self.read.items() for a in read)
+        if not known or digests.keys() != self.digests.keys():  # else what is no longer read does no harm
+            again = self.read.keys() | (self.digests.keys() - digests.keys())
+            readers = {a: what - again for a, what in readers.items()}
+            for what, read in self.read.items():
+                for a in read:
+                    readers[a] = readers.get(a, nobody) | {what}
+            same: dict[
+                frozenset[str], frozenset[str]
+            ] = {}  # one object for equal ones, which makes them small to store
+            readers = {a: same.setdefault(what, what) for a, what in readers.items() if what}
+            data = pickle.dumps(readers, 5)
+            cache.put("slices", {self._readers: data})
+            self.stored = _digest(data)
+        cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, self.stored), 5)})
 
 
 def _digest(data: bytes) -> bytes:

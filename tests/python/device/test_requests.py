@@ -331,6 +331,13 @@ def test_the_oldest_are_dropped_and_counted(kind: Kind, peer: Peer) -> None:
         assert device.waiting == 0 and device.dropped == 6
 
 
+def test_room_for_one_packet_is_enough(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near, capacity=1) as device:
+        peer.answering([DATA, DATA, acknowledge(1, 1)])
+        device.request(PING)
+        assert (device.waiting, device.dropped) == (1, 1)
+
+
 def test_what_is_between_packets_is_handed_over(kind: Kind, peer: Peer) -> None:
     seen, read = bytearray(), bytearray()
     sentences = Sentences()

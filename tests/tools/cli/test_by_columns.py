@@ -52,7 +52,7 @@ def damaged(seed: int) -> bytes:
             one[rng.randrange(len(one))] ^= 1 << rng.randrange(8)
         if rng.random() < 0.03:
             del one[rng.randrange(len(one)) :]
-        if rng.random() < 0.03:  # malformed, with a right checksum
+        if rng.random() < 0.03 and len(one) > 6:  # malformed, with a right checksum; unless it was just cut off
             one[4] = 250
             a = b = 0
             for byte in one[:-2]:

@@ -19,33 +19,20 @@ static const struct mip_profile_evidence cl5_10_evidence[] = {
 };
 
 static const struct mip_profile_field cl5_10_fields[] = {
-    {0x01, 0x01, "", &cl5_10_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cl5_10_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cl5_10_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cl5_10_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cl5_10_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cl5_10_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cl5_10_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cl5_10_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cl5_10_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cl5_10_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &cl5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cl5_10_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cl5_10_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cl5_10_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cl5_10_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cl5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cl5_10_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cl5_10_evidence[1]},       /* 3dm.device_status */
-    {0x80, 0x04, "", &cl5_10_evidence[0]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cl5_10_evidence[0]},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cl5_10_evidence[1]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cl5_10_evidence[1]},       /* sensor.delta_velocity */
-    {0x80, 0x12, "", &cl5_10_evidence[1]},       /* sensor.gps_timestamp */
+    {0x01, 0x01, "", &cl5_10_evidence[0]},       {0x01, 0x02, "", &cl5_10_evidence[0]},
+    {0x01, 0x03, "", &cl5_10_evidence[0]},       {0x01, 0x04, "", &cl5_10_evidence[0]},
+    {0x01, 0x05, "", &cl5_10_evidence[1]},       {0x01, 0x06, "", &cl5_10_evidence[0]},
+    {0x01, 0x07, "", &cl5_10_evidence[0]},       {0x01, 0x72, "WRA", &cl5_10_evidence[1]},
+    {0x01, 0x7E, "", &cl5_10_evidence[1]},       {0x0C, 0x01, "", &cl5_10_evidence[1]},
+    {0x0C, 0x06, "", &cl5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &cl5_10_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &cl5_10_evidence[1]},  {0x0C, 0x30, "SLD", &cl5_10_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &cl5_10_evidence[1]}, {0x0C, 0x38, "WRSLDA", &cl5_10_evidence[1]},
+    {0x0C, 0x39, "", &cl5_10_evidence[1]},       {0x0C, 0x3E, "WRSLD", &cl5_10_evidence[1]},
+    {0x0C, 0x40, "WRSLD", &cl5_10_evidence[1]},  {0x0C, 0x50, "WRSLD", &cl5_10_evidence[1]},
+    {0x0C, 0x51, "WRSLD", &cl5_10_evidence[1]},  {0x0C, 0x64, "", &cl5_10_evidence[1]},
+    {0x80, 0x04, "", &cl5_10_evidence[0]},       {0x80, 0x05, "", &cl5_10_evidence[0]},
+    {0x80, 0x07, "", &cl5_10_evidence[1]},       {0x80, 0x08, "", &cl5_10_evidence[1]},
+    {0x80, 0x12, "", &cl5_10_evidence[1]},
 };
 
 static const struct mip_profile_note cl5_10_notes[] = {
@@ -106,80 +93,43 @@ static const struct mip_profile_evidence cl5_15_evidence[] = {
 };
 
 static const struct mip_profile_field cl5_15_fields[] = {
-    {0x01, 0x01, "", &cl5_15_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cl5_15_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cl5_15_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cl5_15_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cl5_15_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cl5_15_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cl5_15_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cl5_15_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cl5_15_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cl5_15_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cl5_15_evidence[1]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cl5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cl5_15_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cl5_15_evidence[1]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cl5_15_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cl5_15_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cl5_15_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cl5_15_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cl5_15_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cl5_15_evidence[1]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cl5_15_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cl5_15_evidence[1]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cl5_15_evidence[1]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cl5_15_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cl5_15_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cl5_15_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cl5_15_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cl5_15_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cl5_15_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cl5_15_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cl5_15_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cl5_15_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cl5_15_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cl5_15_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cl5_15_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cl5_15_evidence[1]},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", &cl5_15_evidence[1]},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", &cl5_15_evidence[1]},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD",
-     &cl5_15_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", &cl5_15_evidence[1]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cl5_15_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cl5_15_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cl5_15_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cl5_15_evidence[1]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cl5_15_evidence[1]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cl5_15_evidence[1]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cl5_15_evidence[1]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cl5_15_evidence[1]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cl5_15_evidence[1]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cl5_15_evidence[1]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cl5_15_evidence[1]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cl5_15_evidence[1]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cl5_15_evidence[1]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cl5_15_evidence[1]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cl5_15_evidence[1]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cl5_15_evidence[1]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cl5_15_evidence[1]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cl5_15_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cl5_15_evidence[1]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cl5_15_evidence[1]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cl5_15_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cl5_15_evidence[1]},      /* filter_data.status */
-    {0x82, 0x11, "", &cl5_15_evidence[1]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cl5_15_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cl5_15_evidence[1]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cl5_15_evidence[1]},      /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", &cl5_15_evidence[1]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cl5_15_evidence[1]},      /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", &cl5_15_evidence[0]},       {0x01, 0x02, "", &cl5_15_evidence[0]},
+    {0x01, 0x03, "", &cl5_15_evidence[0]},       {0x01, 0x04, "", &cl5_15_evidence[0]},
+    {0x01, 0x05, "", &cl5_15_evidence[1]},       {0x01, 0x06, "", &cl5_15_evidence[0]},
+    {0x01, 0x07, "", &cl5_15_evidence[0]},       {0x01, 0x72, "WRA", &cl5_15_evidence[1]},
+    {0x01, 0x7E, "", &cl5_15_evidence[1]},       {0x0C, 0x01, "", &cl5_15_evidence[1]},
+    {0x0C, 0x03, "", &cl5_15_evidence[1]},       {0x0C, 0x06, "", &cl5_15_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cl5_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cl5_15_evidence[1]},
+    {0x0C, 0x0B, "", &cl5_15_evidence[1]},       {0x0C, 0x11, "WRSLD", &cl5_15_evidence[1]},
+    {0x0C, 0x30, "SLD", &cl5_15_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cl5_15_evidence[1]},
+    {0x0C, 0x38, "WRSLDA", &cl5_15_evidence[1]}, {0x0C, 0x39, "", &cl5_15_evidence[1]},
+    {0x0C, 0x3E, "WRSLD", &cl5_15_evidence[1]},  {0x0C, 0x40, "WRSLD", &cl5_15_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &cl5_15_evidence[1]},  {0x0C, 0x51, "WRSLD", &cl5_15_evidence[1]},
+    {0x0C, 0x64, "", &cl5_15_evidence[1]},       {0x0D, 0x01, "", &cl5_15_evidence[1]},
+    {0x0D, 0x02, "", &cl5_15_evidence[1]},       {0x0D, 0x03, "", &cl5_15_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x14, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x17, "", &cl5_15_evidence[1]},       {0x0D, 0x18, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x1D, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x1F, "", &cl5_15_evidence[1]},       {0x0D, 0x20, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x23, "", &cl5_15_evidence[1]},
+    {0x0D, 0x26, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x28, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x41, "WRSLD", &cl5_15_evidence[1]},  {0x0D, 0x44, "WRSLD", &cl5_15_evidence[1]},
+    {0x0D, 0x4B, "WRSLD", &cl5_15_evidence[1]},  {0x7F, 0x10, "WRSLD", &cl5_15_evidence[1]},
+    {0x80, 0x04, "", &cl5_15_evidence[0]},       {0x80, 0x05, "", &cl5_15_evidence[0]},
+    {0x80, 0x07, "", &cl5_15_evidence[1]},       {0x80, 0x08, "", &cl5_15_evidence[1]},
+    {0x80, 0x09, "", &cl5_15_evidence[1]},       {0x80, 0x0A, "", &cl5_15_evidence[1]},
+    {0x80, 0x0C, "", &cl5_15_evidence[1]},       {0x80, 0x10, "", &cl5_15_evidence[1]},
+    {0x80, 0x11, "", &cl5_15_evidence[1]},       {0x80, 0x12, "", &cl5_15_evidence[1]},
+    {0x80, 0x17, "", &cl5_15_evidence[1]},       {0x82, 0x03, "", &cl5_15_evidence[1]},
+    {0x82, 0x04, "", &cl5_15_evidence[1]},       {0x82, 0x05, "", &cl5_15_evidence[1]},
+    {0x82, 0x06, "", &cl5_15_evidence[1]},       {0x82, 0x0A, "", &cl5_15_evidence[1]},
+    {0x82, 0x0B, "", &cl5_15_evidence[1]},       {0x82, 0x0D, "", &cl5_15_evidence[1]},
+    {0x82, 0x0E, "", &cl5_15_evidence[1]},       {0x82, 0x0F, "", &cl5_15_evidence[1]},
+    {0x82, 0x10, "", &cl5_15_evidence[1]},       {0x82, 0x11, "", &cl5_15_evidence[1]},
+    {0x82, 0x12, "", &cl5_15_evidence[1]},       {0x82, 0x13, "", &cl5_15_evidence[1]},
+    {0x82, 0x14, "", &cl5_15_evidence[1]},       {0x82, 0x1C, "", &cl5_15_evidence[1]},
+    {0x82, 0x21, "", &cl5_15_evidence[1]},
 };
 
 static const struct mip_profile_note cl5_15_notes[] = {
@@ -243,99 +193,51 @@ static const struct mip_profile_evidence cl5_25_evidence[] = {
 };
 
 static const struct mip_profile_field cl5_25_fields[] = {
-    {0x01, 0x01, "", &cl5_25_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cl5_25_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cl5_25_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cl5_25_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cl5_25_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cl5_25_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cl5_25_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cl5_25_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cl5_25_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cl5_25_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cl5_25_evidence[1]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cl5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cl5_25_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cl5_25_evidence[1]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cl5_25_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cl5_25_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cl5_25_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cl5_25_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cl5_25_evidence[1]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cl5_25_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cl5_25_evidence[1]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cl5_25_evidence[1]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cl5_25_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cl5_25_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cl5_25_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cl5_25_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cl5_25_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cl5_25_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cl5_25_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cl5_25_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cl5_25_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cl5_25_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cl5_25_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cl5_25_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cl5_25_evidence[1]},  /* filter.reference_position */
-    {0x0D, 0x27, "WS", &cl5_25_evidence[1]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &cl5_25_evidence[1]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &cl5_25_evidence[1]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &cl5_25_evidence[1]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &cl5_25_evidence[1]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x41, "WRSLD", &cl5_25_evidence[1]},  /* filter.enable_measurements */
-    {0x0D, 0x42, "WRSLD", &cl5_25_evidence[1]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &cl5_25_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &cl5_25_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &cl5_25_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &cl5_25_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &cl5_25_evidence[1]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &cl5_25_evidence[1]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cl5_25_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cl5_25_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cl5_25_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cl5_25_evidence[1]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cl5_25_evidence[1]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cl5_25_evidence[1]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cl5_25_evidence[1]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cl5_25_evidence[1]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cl5_25_evidence[1]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cl5_25_evidence[1]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cl5_25_evidence[1]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cl5_25_evidence[1]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cl5_25_evidence[1]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cl5_25_evidence[1]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cl5_25_evidence[1]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cl5_25_evidence[1]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cl5_25_evidence[1]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cl5_25_evidence[1]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cl5_25_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cl5_25_evidence[1]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cl5_25_evidence[1]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cl5_25_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cl5_25_evidence[1]},      /* filter_data.status */
-    {0x82, 0x11, "", &cl5_25_evidence[1]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cl5_25_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cl5_25_evidence[1]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cl5_25_evidence[1]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &cl5_25_evidence[1]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cl5_25_evidence[1]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cl5_25_evidence[1]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &cl5_25_evidence[1]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &cl5_25_evidence[1]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &cl5_25_evidence[1]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &cl5_25_evidence[1]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &cl5_25_evidence[0]},       {0x01, 0x02, "", &cl5_25_evidence[0]},
+    {0x01, 0x03, "", &cl5_25_evidence[0]},       {0x01, 0x04, "", &cl5_25_evidence[0]},
+    {0x01, 0x05, "", &cl5_25_evidence[1]},       {0x01, 0x06, "", &cl5_25_evidence[0]},
+    {0x01, 0x07, "", &cl5_25_evidence[0]},       {0x01, 0x72, "WRA", &cl5_25_evidence[1]},
+    {0x01, 0x7E, "", &cl5_25_evidence[1]},       {0x0C, 0x01, "", &cl5_25_evidence[1]},
+    {0x0C, 0x03, "", &cl5_25_evidence[1]},       {0x0C, 0x06, "", &cl5_25_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cl5_25_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cl5_25_evidence[1]},
+    {0x0C, 0x0B, "", &cl5_25_evidence[1]},       {0x0C, 0x11, "WRSLD", &cl5_25_evidence[1]},
+    {0x0C, 0x30, "SLD", &cl5_25_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cl5_25_evidence[1]},
+    {0x0C, 0x38, "WRSLDA", &cl5_25_evidence[1]}, {0x0C, 0x39, "", &cl5_25_evidence[1]},
+    {0x0C, 0x3A, "WRSLDA", &cl5_25_evidence[1]}, {0x0C, 0x3B, "WRSLDA", &cl5_25_evidence[1]},
+    {0x0C, 0x3E, "WRSLD", &cl5_25_evidence[1]},  {0x0C, 0x40, "WRSLD", &cl5_25_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &cl5_25_evidence[1]},  {0x0C, 0x51, "WRSLD", &cl5_25_evidence[1]},
+    {0x0C, 0x64, "", &cl5_25_evidence[1]},       {0x0D, 0x01, "", &cl5_25_evidence[1]},
+    {0x0D, 0x02, "", &cl5_25_evidence[1]},       {0x0D, 0x03, "", &cl5_25_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x14, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x17, "", &cl5_25_evidence[1]},       {0x0D, 0x18, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x1D, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x1F, "", &cl5_25_evidence[1]},       {0x0D, 0x20, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x23, "", &cl5_25_evidence[1]},
+    {0x0D, 0x26, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x27, "WS", &cl5_25_evidence[1]},
+    {0x0D, 0x28, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x29, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x2B, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x2C, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x41, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x42, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x43, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x44, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x45, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x46, "WRSLD", &cl5_25_evidence[1]},
+    {0x0D, 0x47, "WRSLD", &cl5_25_evidence[1]},  {0x0D, 0x4B, "WRSLD", &cl5_25_evidence[1]},
+    {0x7F, 0x10, "WRSLD", &cl5_25_evidence[1]},  {0x80, 0x04, "", &cl5_25_evidence[0]},
+    {0x80, 0x05, "", &cl5_25_evidence[0]},       {0x80, 0x06, "", &cl5_25_evidence[1]},
+    {0x80, 0x07, "", &cl5_25_evidence[1]},       {0x80, 0x08, "", &cl5_25_evidence[1]},
+    {0x80, 0x09, "", &cl5_25_evidence[1]},       {0x80, 0x0A, "", &cl5_25_evidence[1]},
+    {0x80, 0x0C, "", &cl5_25_evidence[1]},       {0x80, 0x10, "", &cl5_25_evidence[1]},
+    {0x80, 0x11, "", &cl5_25_evidence[1]},       {0x80, 0x12, "", &cl5_25_evidence[1]},
+    {0x80, 0x17, "", &cl5_25_evidence[1]},       {0x82, 0x03, "", &cl5_25_evidence[1]},
+    {0x82, 0x04, "", &cl5_25_evidence[1]},       {0x82, 0x05, "", &cl5_25_evidence[1]},
+    {0x82, 0x06, "", &cl5_25_evidence[1]},       {0x82, 0x0A, "", &cl5_25_evidence[1]},
+    {0x82, 0x0B, "", &cl5_25_evidence[1]},       {0x82, 0x0D, "", &cl5_25_evidence[1]},
+    {0x82, 0x0E, "", &cl5_25_evidence[1]},       {0x82, 0x0F, "", &cl5_25_evidence[1]},
+    {0x82, 0x10, "", &cl5_25_evidence[1]},       {0x82, 0x11, "", &cl5_25_evidence[1]},
+    {0x82, 0x12, "", &cl5_25_evidence[1]},       {0x82, 0x13, "", &cl5_25_evidence[1]},
+    {0x82, 0x14, "", &cl5_25_evidence[1]},       {0x82, 0x15, "", &cl5_25_evidence[1]},
+    {0x82, 0x1C, "", &cl5_25_evidence[1]},       {0x82, 0x21, "", &cl5_25_evidence[1]},
+    {0x82, 0x25, "", &cl5_25_evidence[1]},       {0x82, 0x26, "", &cl5_25_evidence[1]},
+    {0x82, 0x28, "", &cl5_25_evidence[1]},       {0x82, 0x29, "", &cl5_25_evidence[1]},
 };
 
 static const struct mip_profile_note cl5_25_notes[] = {
@@ -400,37 +302,24 @@ static const struct mip_profile_evidence cv5_10_evidence[] = {
 };
 
 static const struct mip_profile_field cv5_10_fields[] = {
-    {0x01, 0x01, "", &cv5_10_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cv5_10_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cv5_10_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cv5_10_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv5_10_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv5_10_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cv5_10_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cv5_10_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv5_10_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cv5_10_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &cv5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cv5_10_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cv5_10_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cv5_10_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cv5_10_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv5_10_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cv5_10_evidence[1]},       /* 3dm.device_status */
-    {0x80, 0x04, "", &cv5_10_evidence[0]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv5_10_evidence[0]},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cv5_10_evidence[1]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv5_10_evidence[1]},       /* sensor.delta_velocity */
-    {0x80, 0x12, "", &cv5_10_evidence[1]},       /* sensor.gps_timestamp */
+    {0x01, 0x01, "", &cv5_10_evidence[0]},       {0x01, 0x02, "", &cv5_10_evidence[0]},
+    {0x01, 0x03, "", &cv5_10_evidence[0]},       {0x01, 0x04, "", &cv5_10_evidence[0]},
+    {0x01, 0x05, "", &cv5_10_evidence[1]},       {0x01, 0x06, "", &cv5_10_evidence[0]},
+    {0x01, 0x07, "", &cv5_10_evidence[0]},       {0x01, 0x72, "WRA", &cv5_10_evidence[1]},
+    {0x01, 0x7E, "", &cv5_10_evidence[1]},       {0x0C, 0x01, "", &cv5_10_evidence[1]},
+    {0x0C, 0x06, "", &cv5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &cv5_10_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x30, "SLD", &cv5_10_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &cv5_10_evidence[1]}, {0x0C, 0x38, "WRSLDA", &cv5_10_evidence[1]},
+    {0x0C, 0x39, "", &cv5_10_evidence[1]},       {0x0C, 0x3E, "WRSLD", &cv5_10_evidence[1]},
+    {0x0C, 0x40, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x50, "WRSLD", &cv5_10_evidence[1]},
+    {0x0C, 0x51, "WRSLD", &cv5_10_evidence[1]},  {0x0C, 0x64, "", &cv5_10_evidence[1]},
+    {0x80, 0x04, "", &cv5_10_evidence[0]},       {0x80, 0x05, "", &cv5_10_evidence[0]},
+    {0x80, 0x07, "", &cv5_10_evidence[1]},       {0x80, 0x08, "", &cv5_10_evidence[1]},
+    {0x80, 0x12, "", &cv5_10_evidence[1]},
 };
 
 static const struct mip_profile_field cv5_10_refuses[] = {
-    {0x80, 0x01, "", &cv5_10_evidence[2]}, /* sensor.raw_accel */
+    {0x80, 0x01, "", &cv5_10_evidence[2]},
 };
 
 static const struct mip_profile_note cv5_10_notes[] = {
@@ -495,80 +384,43 @@ static const struct mip_profile_evidence cv5_15_evidence[] = {
 };
 
 static const struct mip_profile_field cv5_15_fields[] = {
-    {0x01, 0x01, "", &cv5_15_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cv5_15_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cv5_15_evidence[1]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cv5_15_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv5_15_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv5_15_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cv5_15_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cv5_15_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv5_15_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cv5_15_evidence[3]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cv5_15_evidence[3]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cv5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cv5_15_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cv5_15_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cv5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cv5_15_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cv5_15_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cv5_15_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv5_15_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cv5_15_evidence[3]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cv5_15_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cv5_15_evidence[3]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cv5_15_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cv5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cv5_15_evidence[3]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cv5_15_evidence[3]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cv5_15_evidence[3]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cv5_15_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cv5_15_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv5_15_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cv5_15_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cv5_15_evidence[3]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cv5_15_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cv5_15_evidence[3]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cv5_15_evidence[3]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cv5_15_evidence[3]},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", &cv5_15_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", &cv5_15_evidence[3]},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD",
-     &cv5_15_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", &cv5_15_evidence[3]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cv5_15_evidence[3]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cv5_15_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv5_15_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cv5_15_evidence[3]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv5_15_evidence[3]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv5_15_evidence[3]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv5_15_evidence[3]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv5_15_evidence[3]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cv5_15_evidence[3]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cv5_15_evidence[3]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cv5_15_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cv5_15_evidence[3]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cv5_15_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv5_15_evidence[3]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv5_15_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv5_15_evidence[3]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cv5_15_evidence[3]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv5_15_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cv5_15_evidence[3]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv5_15_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cv5_15_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cv5_15_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &cv5_15_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cv5_15_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv5_15_evidence[3]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cv5_15_evidence[3]},      /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", &cv5_15_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv5_15_evidence[3]},      /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", &cv5_15_evidence[0]},       {0x01, 0x02, "", &cv5_15_evidence[0]},
+    {0x01, 0x03, "", &cv5_15_evidence[1]},       {0x01, 0x04, "", &cv5_15_evidence[2]},
+    {0x01, 0x05, "", &cv5_15_evidence[3]},       {0x01, 0x06, "", &cv5_15_evidence[0]},
+    {0x01, 0x07, "", &cv5_15_evidence[2]},       {0x01, 0x72, "WRA", &cv5_15_evidence[3]},
+    {0x01, 0x7E, "", &cv5_15_evidence[3]},       {0x0C, 0x01, "", &cv5_15_evidence[3]},
+    {0x0C, 0x03, "", &cv5_15_evidence[3]},       {0x0C, 0x06, "", &cv5_15_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cv5_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cv5_15_evidence[0]},
+    {0x0C, 0x0B, "", &cv5_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &cv5_15_evidence[3]},
+    {0x0C, 0x30, "SLD", &cv5_15_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cv5_15_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cv5_15_evidence[3]}, {0x0C, 0x39, "", &cv5_15_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &cv5_15_evidence[3]},  {0x0C, 0x40, "WRSLD", &cv5_15_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cv5_15_evidence[3]},  {0x0C, 0x51, "WRSLD", &cv5_15_evidence[3]},
+    {0x0C, 0x64, "", &cv5_15_evidence[3]},       {0x0D, 0x01, "", &cv5_15_evidence[1]},
+    {0x0D, 0x02, "", &cv5_15_evidence[3]},       {0x0D, 0x03, "", &cv5_15_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &cv5_15_evidence[0]},  {0x0D, 0x14, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x17, "", &cv5_15_evidence[3]},       {0x0D, 0x18, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x19, "WRSLD", &cv5_15_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x1F, "", &cv5_15_evidence[3]},       {0x0D, 0x20, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x21, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x23, "", &cv5_15_evidence[3]},
+    {0x0D, 0x26, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x28, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x41, "WRSLD", &cv5_15_evidence[3]},  {0x0D, 0x44, "WRSLD", &cv5_15_evidence[3]},
+    {0x0D, 0x4B, "WRSLD", &cv5_15_evidence[3]},  {0x7F, 0x10, "WRSLD", &cv5_15_evidence[3]},
+    {0x80, 0x04, "", &cv5_15_evidence[0]},       {0x80, 0x05, "", &cv5_15_evidence[0]},
+    {0x80, 0x07, "", &cv5_15_evidence[3]},       {0x80, 0x08, "", &cv5_15_evidence[3]},
+    {0x80, 0x09, "", &cv5_15_evidence[3]},       {0x80, 0x0A, "", &cv5_15_evidence[3]},
+    {0x80, 0x0C, "", &cv5_15_evidence[3]},       {0x80, 0x10, "", &cv5_15_evidence[3]},
+    {0x80, 0x11, "", &cv5_15_evidence[3]},       {0x80, 0x12, "", &cv5_15_evidence[0]},
+    {0x80, 0x17, "", &cv5_15_evidence[3]},       {0x82, 0x03, "", &cv5_15_evidence[3]},
+    {0x82, 0x04, "", &cv5_15_evidence[3]},       {0x82, 0x05, "", &cv5_15_evidence[0]},
+    {0x82, 0x06, "", &cv5_15_evidence[3]},       {0x82, 0x0A, "", &cv5_15_evidence[3]},
+    {0x82, 0x0B, "", &cv5_15_evidence[3]},       {0x82, 0x0D, "", &cv5_15_evidence[3]},
+    {0x82, 0x0E, "", &cv5_15_evidence[0]},       {0x82, 0x0F, "", &cv5_15_evidence[3]},
+    {0x82, 0x10, "", &cv5_15_evidence[0]},       {0x82, 0x11, "", &cv5_15_evidence[0]},
+    {0x82, 0x12, "", &cv5_15_evidence[3]},       {0x82, 0x13, "", &cv5_15_evidence[3]},
+    {0x82, 0x14, "", &cv5_15_evidence[3]},       {0x82, 0x1C, "", &cv5_15_evidence[0]},
+    {0x82, 0x21, "", &cv5_15_evidence[3]},
 };
 
 static const struct mip_profile_note cv5_15_notes[] = {
@@ -636,99 +488,51 @@ static const struct mip_profile_evidence cv5_25_evidence[] = {
 };
 
 static const struct mip_profile_field cv5_25_fields[] = {
-    {0x01, 0x01, "", &cv5_25_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cv5_25_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cv5_25_evidence[1]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cv5_25_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv5_25_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv5_25_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cv5_25_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cv5_25_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv5_25_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cv5_25_evidence[3]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cv5_25_evidence[3]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cv5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cv5_25_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cv5_25_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cv5_25_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cv5_25_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv5_25_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cv5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv5_25_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cv5_25_evidence[3]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cv5_25_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cv5_25_evidence[3]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cv5_25_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cv5_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cv5_25_evidence[3]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cv5_25_evidence[3]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cv5_25_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cv5_25_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cv5_25_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv5_25_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cv5_25_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cv5_25_evidence[3]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cv5_25_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cv5_25_evidence[3]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cv5_25_evidence[3]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cv5_25_evidence[3]},  /* filter.reference_position */
-    {0x0D, 0x27, "WS", &cv5_25_evidence[3]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &cv5_25_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &cv5_25_evidence[3]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &cv5_25_evidence[3]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &cv5_25_evidence[3]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x41, "WRSLD", &cv5_25_evidence[3]},  /* filter.enable_measurements */
-    {0x0D, 0x42, "WRSLD", &cv5_25_evidence[3]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &cv5_25_evidence[3]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &cv5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &cv5_25_evidence[3]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &cv5_25_evidence[3]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &cv5_25_evidence[3]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &cv5_25_evidence[3]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cv5_25_evidence[3]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cv5_25_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv5_25_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv5_25_evidence[3]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv5_25_evidence[3]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv5_25_evidence[3]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv5_25_evidence[3]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv5_25_evidence[3]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv5_25_evidence[3]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cv5_25_evidence[3]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cv5_25_evidence[3]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cv5_25_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cv5_25_evidence[3]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cv5_25_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv5_25_evidence[3]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv5_25_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv5_25_evidence[3]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cv5_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv5_25_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cv5_25_evidence[3]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv5_25_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cv5_25_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cv5_25_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &cv5_25_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cv5_25_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv5_25_evidence[3]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cv5_25_evidence[3]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &cv5_25_evidence[3]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cv5_25_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv5_25_evidence[3]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &cv5_25_evidence[3]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &cv5_25_evidence[3]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &cv5_25_evidence[3]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &cv5_25_evidence[3]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &cv5_25_evidence[0]},       {0x01, 0x02, "", &cv5_25_evidence[0]},
+    {0x01, 0x03, "", &cv5_25_evidence[1]},       {0x01, 0x04, "", &cv5_25_evidence[2]},
+    {0x01, 0x05, "", &cv5_25_evidence[3]},       {0x01, 0x06, "", &cv5_25_evidence[0]},
+    {0x01, 0x07, "", &cv5_25_evidence[2]},       {0x01, 0x72, "WRA", &cv5_25_evidence[3]},
+    {0x01, 0x7E, "", &cv5_25_evidence[3]},       {0x0C, 0x01, "", &cv5_25_evidence[3]},
+    {0x0C, 0x03, "", &cv5_25_evidence[3]},       {0x0C, 0x06, "", &cv5_25_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cv5_25_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cv5_25_evidence[0]},
+    {0x0C, 0x0B, "", &cv5_25_evidence[0]},       {0x0C, 0x11, "WRSLD", &cv5_25_evidence[3]},
+    {0x0C, 0x30, "SLD", &cv5_25_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cv5_25_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cv5_25_evidence[3]}, {0x0C, 0x39, "", &cv5_25_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &cv5_25_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cv5_25_evidence[3]},
+    {0x0C, 0x3E, "WRSLD", &cv5_25_evidence[3]},  {0x0C, 0x40, "WRSLD", &cv5_25_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cv5_25_evidence[3]},  {0x0C, 0x51, "WRSLD", &cv5_25_evidence[3]},
+    {0x0C, 0x64, "", &cv5_25_evidence[3]},       {0x0D, 0x01, "", &cv5_25_evidence[1]},
+    {0x0D, 0x02, "", &cv5_25_evidence[3]},       {0x0D, 0x03, "", &cv5_25_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &cv5_25_evidence[0]},  {0x0D, 0x14, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x17, "", &cv5_25_evidence[3]},       {0x0D, 0x18, "WRSLD", &cv5_25_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cv5_25_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x1F, "", &cv5_25_evidence[3]},       {0x0D, 0x20, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x21, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x23, "", &cv5_25_evidence[3]},
+    {0x0D, 0x26, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x27, "WS", &cv5_25_evidence[3]},
+    {0x0D, 0x28, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x29, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x2B, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x2C, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x41, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x42, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x44, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x45, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x46, "WRSLD", &cv5_25_evidence[3]},
+    {0x0D, 0x47, "WRSLD", &cv5_25_evidence[3]},  {0x0D, 0x4B, "WRSLD", &cv5_25_evidence[3]},
+    {0x7F, 0x10, "WRSLD", &cv5_25_evidence[3]},  {0x80, 0x04, "", &cv5_25_evidence[0]},
+    {0x80, 0x05, "", &cv5_25_evidence[0]},       {0x80, 0x06, "", &cv5_25_evidence[3]},
+    {0x80, 0x07, "", &cv5_25_evidence[3]},       {0x80, 0x08, "", &cv5_25_evidence[3]},
+    {0x80, 0x09, "", &cv5_25_evidence[3]},       {0x80, 0x0A, "", &cv5_25_evidence[3]},
+    {0x80, 0x0C, "", &cv5_25_evidence[3]},       {0x80, 0x10, "", &cv5_25_evidence[3]},
+    {0x80, 0x11, "", &cv5_25_evidence[3]},       {0x80, 0x12, "", &cv5_25_evidence[0]},
+    {0x80, 0x17, "", &cv5_25_evidence[3]},       {0x82, 0x03, "", &cv5_25_evidence[3]},
+    {0x82, 0x04, "", &cv5_25_evidence[3]},       {0x82, 0x05, "", &cv5_25_evidence[0]},
+    {0x82, 0x06, "", &cv5_25_evidence[3]},       {0x82, 0x0A, "", &cv5_25_evidence[3]},
+    {0x82, 0x0B, "", &cv5_25_evidence[3]},       {0x82, 0x0D, "", &cv5_25_evidence[3]},
+    {0x82, 0x0E, "", &cv5_25_evidence[0]},       {0x82, 0x0F, "", &cv5_25_evidence[3]},
+    {0x82, 0x10, "", &cv5_25_evidence[0]},       {0x82, 0x11, "", &cv5_25_evidence[0]},
+    {0x82, 0x12, "", &cv5_25_evidence[3]},       {0x82, 0x13, "", &cv5_25_evidence[3]},
+    {0x82, 0x14, "", &cv5_25_evidence[3]},       {0x82, 0x15, "", &cv5_25_evidence[3]},
+    {0x82, 0x1C, "", &cv5_25_evidence[0]},       {0x82, 0x21, "", &cv5_25_evidence[3]},
+    {0x82, 0x25, "", &cv5_25_evidence[3]},       {0x82, 0x26, "", &cv5_25_evidence[3]},
+    {0x82, 0x28, "", &cv5_25_evidence[3]},       {0x82, 0x29, "", &cv5_25_evidence[3]},
 };
 
 static const struct mip_profile_note cv5_25_notes[] = {
@@ -789,133 +593,68 @@ static const struct mip_profile_evidence cv5_45_evidence[] = {
 };
 
 static const struct mip_profile_field cv5_45_fields[] = {
-    {0x01, 0x01, "", &cv5_45_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cv5_45_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cv5_45_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cv5_45_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv5_45_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv5_45_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cv5_45_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cv5_45_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv5_45_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cv5_45_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &cv5_45_evidence[1]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &cv5_45_evidence[1]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cv5_45_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &cv5_45_evidence[1]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &cv5_45_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cv5_45_evidence[1]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", &cv5_45_evidence[1]},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", &cv5_45_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv5_45_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cv5_45_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv5_45_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cv5_45_evidence[1]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cv5_45_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cv5_45_evidence[1]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cv5_45_evidence[1]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &cv5_45_evidence[1]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &cv5_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &cv5_45_evidence[1]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &cv5_45_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &cv5_45_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &cv5_45_evidence[1]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &cv5_45_evidence[1]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &cv5_45_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cv5_45_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cv5_45_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv5_45_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &cv5_45_evidence[1]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &cv5_45_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &cv5_45_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cv5_45_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cv5_45_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &cv5_45_evidence[1]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &cv5_45_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x27, "WS", &cv5_45_evidence[1]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &cv5_45_evidence[1]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &cv5_45_evidence[1]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &cv5_45_evidence[1]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &cv5_45_evidence[1]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", &cv5_45_evidence[1]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &cv5_45_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &cv5_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &cv5_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &cv5_45_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &cv5_45_evidence[1]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &cv5_45_evidence[1]}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD", &cv5_45_evidence[1]}, /* filter.adaptive_filter_options */
-    {0x7F, 0x10, "WRSLD", &cv5_45_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cv5_45_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv5_45_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv5_45_evidence[1]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv5_45_evidence[1]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv5_45_evidence[1]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv5_45_evidence[1]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv5_45_evidence[1]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv5_45_evidence[1]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cv5_45_evidence[1]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cv5_45_evidence[1]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cv5_45_evidence[1]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cv5_45_evidence[1]},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &cv5_45_evidence[1]},      /* gnss_data.llh_position */
-    {0x81, 0x04, "", &cv5_45_evidence[1]},      /* gnss_data.ecef_position */
-    {0x81, 0x05, "", &cv5_45_evidence[1]},      /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", &cv5_45_evidence[1]},      /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", &cv5_45_evidence[1]},      /* gnss_data.dop */
-    {0x81, 0x08, "", &cv5_45_evidence[1]},      /* gnss_data.utc_time */
-    {0x81, 0x09, "", &cv5_45_evidence[1]},      /* gnss_data.gps_time */
-    {0x81, 0x0A, "", &cv5_45_evidence[1]},      /* gnss_data.clock_info */
-    {0x81, 0x0B, "", &cv5_45_evidence[1]},      /* gnss_data.fix_info */
-    {0x81, 0x0C, "", &cv5_45_evidence[1]},      /* gnss_data.sv_info */
-    {0x81, 0x0D, "", &cv5_45_evidence[1]},      /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", &cv5_45_evidence[1]},      /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", &cv5_45_evidence[1]},      /* gnss_data.dgps_channel */
-    {0x82, 0x01, "", &cv5_45_evidence[2]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &cv5_45_evidence[2]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &cv5_45_evidence[2]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv5_45_evidence[1]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv5_45_evidence[1]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv5_45_evidence[2]},      /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &cv5_45_evidence[2]},      /* filter_data.accel_bias */
-    {0x82, 0x08, "", &cv5_45_evidence[2]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &cv5_45_evidence[2]},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &cv5_45_evidence[2]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv5_45_evidence[2]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &cv5_45_evidence[2]},      /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &cv5_45_evidence[2]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv5_45_evidence[1]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cv5_45_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cv5_45_evidence[2]},      /* filter_data.status */
-    {0x82, 0x11, "", &cv5_45_evidence[2]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cv5_45_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv5_45_evidence[2]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cv5_45_evidence[1]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &cv5_45_evidence[2]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cv5_45_evidence[2]},      /* filter_data.comp_accel */
-    {0x82, 0x20, "", &cv5_45_evidence[2]},      /* filter_data.standard_atmosphere */
-    {0x82, 0x21, "", &cv5_45_evidence[2]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &cv5_45_evidence[2]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &cv5_45_evidence[2]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &cv5_45_evidence[2]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &cv5_45_evidence[2]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &cv5_45_evidence[0]},       {0x01, 0x02, "", &cv5_45_evidence[0]},
+    {0x01, 0x03, "", &cv5_45_evidence[0]},       {0x01, 0x04, "", &cv5_45_evidence[0]},
+    {0x01, 0x05, "", &cv5_45_evidence[1]},       {0x01, 0x06, "", &cv5_45_evidence[0]},
+    {0x01, 0x07, "", &cv5_45_evidence[0]},       {0x01, 0x72, "WRA", &cv5_45_evidence[1]},
+    {0x01, 0x7E, "", &cv5_45_evidence[1]},       {0x0C, 0x01, "", &cv5_45_evidence[1]},
+    {0x0C, 0x02, "", &cv5_45_evidence[1]},       {0x0C, 0x03, "", &cv5_45_evidence[1]},
+    {0x0C, 0x06, "", &cv5_45_evidence[0]},       {0x0C, 0x07, "", &cv5_45_evidence[1]},
+    {0x0C, 0x08, "WRSLD", &cv5_45_evidence[0]},  {0x0C, 0x09, "WRSLD", &cv5_45_evidence[1]},
+    {0x0C, 0x0A, "WRSLD", &cv5_45_evidence[1]},  {0x0C, 0x0B, "", &cv5_45_evidence[1]},
+    {0x0C, 0x11, "WRSLD", &cv5_45_evidence[1]},  {0x0C, 0x21, "WRSLD", &cv5_45_evidence[1]},
+    {0x0C, 0x22, "WRSLD", &cv5_45_evidence[1]},  {0x0C, 0x23, "WRSLD", &cv5_45_evidence[1]},
+    {0x0C, 0x24, "WR", &cv5_45_evidence[1]},     {0x0C, 0x30, "SLD", &cv5_45_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &cv5_45_evidence[1]}, {0x0C, 0x38, "WRSLDA", &cv5_45_evidence[1]},
+    {0x0C, 0x39, "", &cv5_45_evidence[1]},       {0x0C, 0x3A, "WRSLDA", &cv5_45_evidence[1]},
+    {0x0C, 0x3B, "WRSLDA", &cv5_45_evidence[1]}, {0x0C, 0x3E, "WRSLD", &cv5_45_evidence[1]},
+    {0x0C, 0x40, "WRSLD", &cv5_45_evidence[1]},  {0x0C, 0x50, "WRSLD", &cv5_45_evidence[1]},
+    {0x0C, 0x51, "WRSLD", &cv5_45_evidence[1]},  {0x0C, 0x64, "", &cv5_45_evidence[1]},
+    {0x0D, 0x01, "", &cv5_45_evidence[1]},       {0x0D, 0x02, "", &cv5_45_evidence[1]},
+    {0x0D, 0x03, "", &cv5_45_evidence[1]},       {0x0D, 0x10, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x12, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x13, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x14, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x15, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x16, "", &cv5_45_evidence[1]},
+    {0x0D, 0x17, "", &cv5_45_evidence[1]},       {0x0D, 0x18, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x1C, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x1D, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x1E, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x1F, "", &cv5_45_evidence[1]},       {0x0D, 0x20, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x22, "", &cv5_45_evidence[1]},
+    {0x0D, 0x23, "", &cv5_45_evidence[1]},       {0x0D, 0x27, "WS", &cv5_45_evidence[1]},
+    {0x0D, 0x28, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x29, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x2B, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x2C, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x42, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x43, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x44, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x45, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x46, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x47, "WRSLD", &cv5_45_evidence[1]},
+    {0x0D, 0x4B, "WRSLD", &cv5_45_evidence[1]},  {0x0D, 0x53, "WRSLD", &cv5_45_evidence[1]},
+    {0x7F, 0x10, "WRSLD", &cv5_45_evidence[1]},  {0x80, 0x04, "", &cv5_45_evidence[0]},
+    {0x80, 0x05, "", &cv5_45_evidence[0]},       {0x80, 0x06, "", &cv5_45_evidence[1]},
+    {0x80, 0x07, "", &cv5_45_evidence[1]},       {0x80, 0x08, "", &cv5_45_evidence[1]},
+    {0x80, 0x09, "", &cv5_45_evidence[1]},       {0x80, 0x0A, "", &cv5_45_evidence[1]},
+    {0x80, 0x0C, "", &cv5_45_evidence[1]},       {0x80, 0x10, "", &cv5_45_evidence[1]},
+    {0x80, 0x11, "", &cv5_45_evidence[1]},       {0x80, 0x12, "", &cv5_45_evidence[1]},
+    {0x80, 0x17, "", &cv5_45_evidence[1]},       {0x81, 0x03, "", &cv5_45_evidence[1]},
+    {0x81, 0x04, "", &cv5_45_evidence[1]},       {0x81, 0x05, "", &cv5_45_evidence[1]},
+    {0x81, 0x06, "", &cv5_45_evidence[1]},       {0x81, 0x07, "", &cv5_45_evidence[1]},
+    {0x81, 0x08, "", &cv5_45_evidence[1]},       {0x81, 0x09, "", &cv5_45_evidence[1]},
+    {0x81, 0x0A, "", &cv5_45_evidence[1]},       {0x81, 0x0B, "", &cv5_45_evidence[1]},
+    {0x81, 0x0C, "", &cv5_45_evidence[1]},       {0x81, 0x0D, "", &cv5_45_evidence[1]},
+    {0x81, 0x0E, "", &cv5_45_evidence[1]},       {0x81, 0x0F, "", &cv5_45_evidence[1]},
+    {0x82, 0x01, "", &cv5_45_evidence[2]},       {0x82, 0x02, "", &cv5_45_evidence[2]},
+    {0x82, 0x03, "", &cv5_45_evidence[2]},       {0x82, 0x04, "", &cv5_45_evidence[1]},
+    {0x82, 0x05, "", &cv5_45_evidence[1]},       {0x82, 0x06, "", &cv5_45_evidence[2]},
+    {0x82, 0x07, "", &cv5_45_evidence[2]},       {0x82, 0x08, "", &cv5_45_evidence[2]},
+    {0x82, 0x09, "", &cv5_45_evidence[2]},       {0x82, 0x0A, "", &cv5_45_evidence[2]},
+    {0x82, 0x0B, "", &cv5_45_evidence[2]},       {0x82, 0x0C, "", &cv5_45_evidence[2]},
+    {0x82, 0x0D, "", &cv5_45_evidence[2]},       {0x82, 0x0E, "", &cv5_45_evidence[1]},
+    {0x82, 0x0F, "", &cv5_45_evidence[2]},       {0x82, 0x10, "", &cv5_45_evidence[2]},
+    {0x82, 0x11, "", &cv5_45_evidence[2]},       {0x82, 0x12, "", &cv5_45_evidence[2]},
+    {0x82, 0x13, "", &cv5_45_evidence[2]},       {0x82, 0x14, "", &cv5_45_evidence[1]},
+    {0x82, 0x15, "", &cv5_45_evidence[2]},       {0x82, 0x1C, "", &cv5_45_evidence[2]},
+    {0x82, 0x20, "", &cv5_45_evidence[2]},       {0x82, 0x21, "", &cv5_45_evidence[2]},
+    {0x82, 0x25, "", &cv5_45_evidence[2]},       {0x82, 0x26, "", &cv5_45_evidence[2]},
+    {0x82, 0x28, "", &cv5_45_evidence[2]},       {0x82, 0x29, "", &cv5_45_evidence[2]},
 };
 
 static const struct mip_profile_note cv5_45_notes[] = {
@@ -996,109 +735,59 @@ static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
 };
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
-    {0x01, 0x01, "", &cv7_ahrs_evidence[5]},        /* base.ping */
-    {0x01, 0x02, "", &cv7_ahrs_evidence[5]},        /* base.set_idle */
-    {0x01, 0x03, "", &cv7_ahrs_evidence[6]},        /* base.get_device_info */
-    {0x01, 0x04, "", &cv7_ahrs_evidence[0]},        /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv7_ahrs_evidence[7]},        /* base.built_in_test */
-    {0x01, 0x06, "", &cv7_ahrs_evidence[5]},        /* base.resume */
-    {0x01, 0x07, "", &cv7_ahrs_evidence[0]},        /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cv7_ahrs_evidence[11]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cv7_ahrs_evidence[0]},   /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cv7_ahrs_evidence[11]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv7_ahrs_evidence[11]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &cv7_ahrs_evidence[11]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cv7_ahrs_evidence[0]},        /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.message_format */
-    {0x0C, 0x10, "", &cv7_ahrs_evidence[11]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cv7_ahrs_evidence[8]},   /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cv7_ahrs_evidence[5]},     /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cv7_ahrs_evidence[5]},   /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cv7_ahrs_evidence[11]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv7_ahrs_evidence[1]},        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", &cv7_ahrs_evidence[1]},   /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cv7_ahrs_evidence[2]},   /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cv7_ahrs_evidence[11]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cv7_ahrs_evidence[0]},   /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv7_ahrs_evidence[11]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cv7_ahrs_evidence[9]},   /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cv7_ahrs_evidence[11]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cv7_ahrs_evidence[0]},   /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cv7_ahrs_evidence[1]},        /* filter.reset */
-    {0x0D, 0x03, "", &cv7_ahrs_evidence[1]},        /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cv7_ahrs_evidence[11]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cv7_ahrs_evidence[1]},   /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cv7_ahrs_evidence[3]},   /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &cv7_ahrs_evidence[8]},   /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &cv7_ahrs_evidence[1]},   /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cv7_ahrs_evidence[1]},   /* aiding.echo_control */
-    {0x13, 0x31, "", &cv7_ahrs_evidence[1]},        /* aiding.true_heading */
-    {0x13, 0x32, "", &cv7_ahrs_evidence[1]},        /* aiding.magnetic_field */
-    {0x80, 0x04, "", &cv7_ahrs_evidence[1]},        /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv7_ahrs_evidence[3]},        /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv7_ahrs_evidence[0]},        /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv7_ahrs_evidence[11]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv7_ahrs_evidence[11]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv7_ahrs_evidence[10]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv7_ahrs_evidence[3]},        /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv7_ahrs_evidence[10]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cv7_ahrs_evidence[11]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cv7_ahrs_evidence[0]},        /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cv7_ahrs_evidence[2]},        /* sensor.overrange_status */
-    {0x82, 0x03, "", &cv7_ahrs_evidence[3]},        /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv7_ahrs_evidence[3]},        /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv7_ahrs_evidence[3]},        /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv7_ahrs_evidence[1]},        /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cv7_ahrs_evidence[9]},        /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv7_ahrs_evidence[10]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cv7_ahrs_evidence[3]},        /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv7_ahrs_evidence[3]},        /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cv7_ahrs_evidence[3]},        /* filter_data.status */
-    {0x82, 0x12, "", &cv7_ahrs_evidence[10]}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv7_ahrs_evidence[3]},  /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &cv7_ahrs_evidence[0]},  /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv7_ahrs_evidence[10]}, /* filter_data.pressure_altitude */
-    {0x82, 0x50, "", &cv7_ahrs_evidence[4]},  /* filter_data.aiding_frame_config_error */
-    {0xA0, 0x01, "", &cv7_ahrs_evidence[11]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cv7_ahrs_evidence[2]},  /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cv7_ahrs_evidence[10]}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cv7_ahrs_evidence[2]},  /* shared.event_source */
-    {0xFF, 0xD3, "", &cv7_ahrs_evidence[2]},  /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cv7_ahrs_evidence[11]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &cv7_ahrs_evidence[10]}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cv7_ahrs_evidence[11]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cv7_ahrs_evidence[10]}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cv7_ahrs_evidence[11]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &cv7_ahrs_evidence[5]},       {0x01, 0x02, "", &cv7_ahrs_evidence[5]},
+    {0x01, 0x03, "", &cv7_ahrs_evidence[6]},       {0x01, 0x04, "", &cv7_ahrs_evidence[0]},
+    {0x01, 0x05, "", &cv7_ahrs_evidence[7]},       {0x01, 0x06, "", &cv7_ahrs_evidence[5]},
+    {0x01, 0x07, "", &cv7_ahrs_evidence[0]},       {0x01, 0x08, "", &cv7_ahrs_evidence[11]},
+    {0x01, 0x09, "WRSLD", &cv7_ahrs_evidence[0]},  {0x01, 0x72, "WRA", &cv7_ahrs_evidence[11]},
+    {0x01, 0x7E, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x0D, "", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x0E, "", &cv7_ahrs_evidence[0]},       {0x0C, 0x0F, "WRSLD", &cv7_ahrs_evidence[5]},
+    {0x0C, 0x10, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x11, "WRSLD", &cv7_ahrs_evidence[1]},
+    {0x0C, 0x28, "WRSLD", &cv7_ahrs_evidence[8]},  {0x0C, 0x2A, "", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x2C, "", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x2D, "", &cv7_ahrs_evidence[11]},      {0x0C, 0x2E, "WRSLD", &cv7_ahrs_evidence[2]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x30, "SLD", &cv7_ahrs_evidence[5]},
+    {0x0C, 0x31, "WRSLD", &cv7_ahrs_evidence[5]},  {0x0C, 0x32, "WRSLD", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x33, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0C, 0x37, "WRSLDA", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x38, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0C, 0x39, "", &cv7_ahrs_evidence[1]},
+    {0x0C, 0x3A, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0C, 0x3B, "WRSLD", &cv7_ahrs_evidence[1]},
+    {0x0C, 0x41, "WRSLD", &cv7_ahrs_evidence[2]},  {0x0C, 0x42, "WR", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x50, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0C, 0x51, "WRSLD", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x52, "WRSLD", &cv7_ahrs_evidence[9]},  {0x0C, 0x53, "", &cv7_ahrs_evidence[11]},
+    {0x0C, 0x54, "WRSLD", &cv7_ahrs_evidence[0]},  {0x0D, 0x01, "", &cv7_ahrs_evidence[1]},
+    {0x0D, 0x03, "", &cv7_ahrs_evidence[1]},       {0x0D, 0x1A, "WRSLD", &cv7_ahrs_evidence[11]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0D, 0x1D, "WRSLD", &cv7_ahrs_evidence[11]},
+    {0x0D, 0x20, "WRSLD", &cv7_ahrs_evidence[11]}, {0x0D, 0x28, "WRSLD", &cv7_ahrs_evidence[11]},
+    {0x0D, 0x43, "WRSLD", &cv7_ahrs_evidence[1]},  {0x0D, 0x50, "WRSLD", &cv7_ahrs_evidence[3]},
+    {0x0D, 0x53, "WRSLD", &cv7_ahrs_evidence[8]},  {0x13, 0x01, "WRSLD", &cv7_ahrs_evidence[1]},
+    {0x13, 0x1F, "WRSLD", &cv7_ahrs_evidence[1]},  {0x13, 0x31, "", &cv7_ahrs_evidence[1]},
+    {0x13, 0x32, "", &cv7_ahrs_evidence[1]},       {0x80, 0x04, "", &cv7_ahrs_evidence[1]},
+    {0x80, 0x05, "", &cv7_ahrs_evidence[3]},       {0x80, 0x06, "", &cv7_ahrs_evidence[0]},
+    {0x80, 0x07, "", &cv7_ahrs_evidence[11]},      {0x80, 0x08, "", &cv7_ahrs_evidence[11]},
+    {0x80, 0x09, "", &cv7_ahrs_evidence[10]},      {0x80, 0x0A, "", &cv7_ahrs_evidence[3]},
+    {0x80, 0x0C, "", &cv7_ahrs_evidence[10]},      {0x80, 0x14, "", &cv7_ahrs_evidence[11]},
+    {0x80, 0x17, "", &cv7_ahrs_evidence[0]},       {0x80, 0x18, "", &cv7_ahrs_evidence[2]},
+    {0x82, 0x03, "", &cv7_ahrs_evidence[3]},       {0x82, 0x04, "", &cv7_ahrs_evidence[3]},
+    {0x82, 0x05, "", &cv7_ahrs_evidence[3]},       {0x82, 0x06, "", &cv7_ahrs_evidence[1]},
+    {0x82, 0x0A, "", &cv7_ahrs_evidence[9]},       {0x82, 0x0B, "", &cv7_ahrs_evidence[10]},
+    {0x82, 0x0D, "", &cv7_ahrs_evidence[3]},       {0x82, 0x0E, "", &cv7_ahrs_evidence[3]},
+    {0x82, 0x10, "", &cv7_ahrs_evidence[3]},       {0x82, 0x12, "", &cv7_ahrs_evidence[10]},
+    {0x82, 0x13, "", &cv7_ahrs_evidence[3]},       {0x82, 0x1C, "", &cv7_ahrs_evidence[0]},
+    {0x82, 0x21, "", &cv7_ahrs_evidence[10]},      {0x82, 0x50, "", &cv7_ahrs_evidence[4]},
+    {0xA0, 0x01, "", &cv7_ahrs_evidence[11]},      {0xA0, 0x02, "", &cv7_ahrs_evidence[2]},
+    {0xA0, 0x03, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD0, "", &cv7_ahrs_evidence[2]},
+    {0xFF, 0xD3, "", &cv7_ahrs_evidence[2]},       {0xFF, 0xD4, "", &cv7_ahrs_evidence[11]},
+    {0xFF, 0xD5, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD6, "", &cv7_ahrs_evidence[11]},
+    {0xFF, 0xD7, "", &cv7_ahrs_evidence[10]},      {0xFF, 0xD8, "", &cv7_ahrs_evidence[11]},
 };
 
 static const struct mip_profile_field cv7_ahrs_refuses[] = {
-    {0x81, 0x03, "", &cv7_ahrs_evidence[12]}, /* gnss_data.llh_position */
-    {0x81, 0x0B, "", &cv7_ahrs_evidence[12]}, /* gnss_data.fix_info */
-    {0x82, 0x34, "", &cv7_ahrs_evidence[12]}, /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x43, "", &cv7_ahrs_evidence[12]}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x49, "", &cv7_ahrs_evidence[13]}, /* filter_data.gnss_dual_antenna_status */
-    {0x91, 0x03, "", &cv7_ahrs_evidence[12]}, /* gnss_1.llh_position */
-    {0x91, 0x0B, "", &cv7_ahrs_evidence[12]}, /* gnss_1.fix_info */
-    {0x91, 0x12, "", &cv7_ahrs_evidence[13]}, /* gnss_1.sbas_info */
-    {0x91, 0x14, "", &cv7_ahrs_evidence[13]}, /* gnss_1.rf_error_detection */
-    {0x92, 0x0B, "", &cv7_ahrs_evidence[13]}, /* gnss_2.fix_info */
-    {0x92, 0x12, "", &cv7_ahrs_evidence[13]}, /* gnss_2.sbas_info */
-    {0x92, 0x14, "", &cv7_ahrs_evidence[13]}, /* gnss_2.rf_error_detection */
+    {0x81, 0x03, "", &cv7_ahrs_evidence[12]}, {0x81, 0x0B, "", &cv7_ahrs_evidence[12]},
+    {0x82, 0x34, "", &cv7_ahrs_evidence[12]}, {0x82, 0x43, "", &cv7_ahrs_evidence[12]},
+    {0x82, 0x49, "", &cv7_ahrs_evidence[13]}, {0x91, 0x03, "", &cv7_ahrs_evidence[12]},
+    {0x91, 0x0B, "", &cv7_ahrs_evidence[12]}, {0x91, 0x12, "", &cv7_ahrs_evidence[13]},
+    {0x91, 0x14, "", &cv7_ahrs_evidence[13]}, {0x92, 0x0B, "", &cv7_ahrs_evidence[13]},
+    {0x92, 0x12, "", &cv7_ahrs_evidence[13]}, {0x92, 0x14, "", &cv7_ahrs_evidence[13]},
 };
 
 static const struct mip_profile_rate cv7_ahrs_rates[] = {
@@ -1238,101 +927,56 @@ static const struct mip_profile_evidence cv7_ar_evidence[] = {
 };
 
 static const struct mip_profile_field cv7_ar_fields[] = {
-    {0x01, 0x01, "", &cv7_ar_evidence[6]},        /* base.ping */
-    {0x01, 0x02, "", &cv7_ar_evidence[6]},        /* base.set_idle */
-    {0x01, 0x03, "", &cv7_ar_evidence[6]},        /* base.get_device_info */
-    {0x01, 0x04, "", &cv7_ar_evidence[0]},        /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv7_ar_evidence[10]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv7_ar_evidence[6]},        /* base.resume */
-    {0x01, 0x07, "", &cv7_ar_evidence[0]},        /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cv7_ar_evidence[5]},        /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cv7_ar_evidence[0]},   /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cv7_ar_evidence[10]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv7_ar_evidence[10]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &cv7_ar_evidence[10]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cv7_ar_evidence[0]},        /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.message_format */
-    {0x0C, 0x10, "", &cv7_ar_evidence[10]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cv7_ar_evidence[7]},   /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cv7_ar_evidence[10]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cv7_ar_evidence[6]},     /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cv7_ar_evidence[6]},   /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cv7_ar_evidence[10]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv7_ar_evidence[1]},        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", &cv7_ar_evidence[1]},   /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cv7_ar_evidence[2]},   /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cv7_ar_evidence[10]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cv7_ar_evidence[0]},   /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv7_ar_evidence[10]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cv7_ar_evidence[8]},   /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cv7_ar_evidence[10]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cv7_ar_evidence[0]},   /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cv7_ar_evidence[1]},        /* filter.reset */
-    {0x0D, 0x03, "", &cv7_ar_evidence[1]},        /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &cv7_ar_evidence[10]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &cv7_ar_evidence[10]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cv7_ar_evidence[10]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cv7_ar_evidence[1]},   /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cv7_ar_evidence[3]},   /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &cv7_ar_evidence[7]},   /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &cv7_ar_evidence[1]},   /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cv7_ar_evidence[1]},   /* aiding.echo_control */
-    {0x13, 0x31, "", &cv7_ar_evidence[1]},        /* aiding.true_heading */
-    {0x13, 0x32, "", &cv7_ar_evidence[1]},        /* aiding.magnetic_field */
-    {0x80, 0x04, "", &cv7_ar_evidence[1]},        /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv7_ar_evidence[3]},        /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv7_ar_evidence[0]},        /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv7_ar_evidence[10]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv7_ar_evidence[10]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv7_ar_evidence[9]},        /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv7_ar_evidence[3]},        /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv7_ar_evidence[9]},        /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cv7_ar_evidence[10]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cv7_ar_evidence[0]},        /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cv7_ar_evidence[2]},        /* sensor.overrange_status */
-    {0x82, 0x03, "", &cv7_ar_evidence[3]},        /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv7_ar_evidence[3]},        /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv7_ar_evidence[3]},        /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv7_ar_evidence[1]},        /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cv7_ar_evidence[8]},        /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv7_ar_evidence[9]},        /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cv7_ar_evidence[3]},        /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv7_ar_evidence[3]},        /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cv7_ar_evidence[3]},        /* filter_data.status */
-    {0x82, 0x12, "", &cv7_ar_evidence[9]},        /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv7_ar_evidence[3]},        /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &cv7_ar_evidence[0]},        /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv7_ar_evidence[9]},        /* filter_data.pressure_altitude */
-    {0x82, 0x50, "", &cv7_ar_evidence[4]},        /* filter_data.aiding_frame_config_error */
-    {0xA0, 0x01, "", &cv7_ar_evidence[5]},        /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cv7_ar_evidence[2]},        /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cv7_ar_evidence[5]},        /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cv7_ar_evidence[2]},        /* shared.event_source */
-    {0xFF, 0xD3, "", &cv7_ar_evidence[2]},        /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cv7_ar_evidence[5]},        /* shared.delta_time */
-    {0xFF, 0xD5, "", &cv7_ar_evidence[5]},        /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cv7_ar_evidence[5]},        /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cv7_ar_evidence[5]},        /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cv7_ar_evidence[5]},        /* shared.external_time_delta */
+    {0x01, 0x01, "", &cv7_ar_evidence[6]},       {0x01, 0x02, "", &cv7_ar_evidence[6]},
+    {0x01, 0x03, "", &cv7_ar_evidence[6]},       {0x01, 0x04, "", &cv7_ar_evidence[0]},
+    {0x01, 0x05, "", &cv7_ar_evidence[10]},      {0x01, 0x06, "", &cv7_ar_evidence[6]},
+    {0x01, 0x07, "", &cv7_ar_evidence[0]},       {0x01, 0x08, "", &cv7_ar_evidence[5]},
+    {0x01, 0x09, "WRSLD", &cv7_ar_evidence[0]},  {0x01, 0x72, "WRA", &cv7_ar_evidence[10]},
+    {0x01, 0x7E, "", &cv7_ar_evidence[10]},      {0x0C, 0x0D, "", &cv7_ar_evidence[10]},
+    {0x0C, 0x0E, "", &cv7_ar_evidence[0]},       {0x0C, 0x0F, "WRSLD", &cv7_ar_evidence[6]},
+    {0x0C, 0x10, "", &cv7_ar_evidence[10]},      {0x0C, 0x11, "WRSLD", &cv7_ar_evidence[1]},
+    {0x0C, 0x28, "WRSLD", &cv7_ar_evidence[7]},  {0x0C, 0x2A, "", &cv7_ar_evidence[10]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ar_evidence[6]},  {0x0C, 0x2C, "", &cv7_ar_evidence[10]},
+    {0x0C, 0x2D, "", &cv7_ar_evidence[10]},      {0x0C, 0x2E, "WRSLD", &cv7_ar_evidence[2]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ar_evidence[2]},  {0x0C, 0x30, "SLD", &cv7_ar_evidence[6]},
+    {0x0C, 0x31, "WRSLD", &cv7_ar_evidence[6]},  {0x0C, 0x32, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0C, 0x33, "WRSLD", &cv7_ar_evidence[10]}, {0x0C, 0x37, "WRSLDA", &cv7_ar_evidence[10]},
+    {0x0C, 0x38, "WRSLD", &cv7_ar_evidence[1]},  {0x0C, 0x39, "", &cv7_ar_evidence[1]},
+    {0x0C, 0x3A, "WRSLD", &cv7_ar_evidence[1]},  {0x0C, 0x3B, "WRSLD", &cv7_ar_evidence[1]},
+    {0x0C, 0x41, "WRSLD", &cv7_ar_evidence[2]},  {0x0C, 0x42, "WR", &cv7_ar_evidence[10]},
+    {0x0C, 0x50, "WRSLD", &cv7_ar_evidence[0]},  {0x0C, 0x51, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0C, 0x52, "WRSLD", &cv7_ar_evidence[8]},  {0x0C, 0x53, "", &cv7_ar_evidence[10]},
+    {0x0C, 0x54, "WRSLD", &cv7_ar_evidence[0]},  {0x0D, 0x01, "", &cv7_ar_evidence[1]},
+    {0x0D, 0x03, "", &cv7_ar_evidence[1]},       {0x0D, 0x1A, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x1D, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0D, 0x20, "WRSLD", &cv7_ar_evidence[10]}, {0x0D, 0x28, "WRSLD", &cv7_ar_evidence[10]},
+    {0x0D, 0x43, "WRSLD", &cv7_ar_evidence[1]},  {0x0D, 0x50, "WRSLD", &cv7_ar_evidence[3]},
+    {0x0D, 0x53, "WRSLD", &cv7_ar_evidence[7]},  {0x13, 0x01, "WRSLD", &cv7_ar_evidence[1]},
+    {0x13, 0x1F, "WRSLD", &cv7_ar_evidence[1]},  {0x13, 0x31, "", &cv7_ar_evidence[1]},
+    {0x13, 0x32, "", &cv7_ar_evidence[1]},       {0x80, 0x04, "", &cv7_ar_evidence[1]},
+    {0x80, 0x05, "", &cv7_ar_evidence[3]},       {0x80, 0x06, "", &cv7_ar_evidence[0]},
+    {0x80, 0x07, "", &cv7_ar_evidence[10]},      {0x80, 0x08, "", &cv7_ar_evidence[10]},
+    {0x80, 0x09, "", &cv7_ar_evidence[9]},       {0x80, 0x0A, "", &cv7_ar_evidence[3]},
+    {0x80, 0x0C, "", &cv7_ar_evidence[9]},       {0x80, 0x14, "", &cv7_ar_evidence[10]},
+    {0x80, 0x17, "", &cv7_ar_evidence[0]},       {0x80, 0x18, "", &cv7_ar_evidence[2]},
+    {0x82, 0x03, "", &cv7_ar_evidence[3]},       {0x82, 0x04, "", &cv7_ar_evidence[3]},
+    {0x82, 0x05, "", &cv7_ar_evidence[3]},       {0x82, 0x06, "", &cv7_ar_evidence[1]},
+    {0x82, 0x0A, "", &cv7_ar_evidence[8]},       {0x82, 0x0B, "", &cv7_ar_evidence[9]},
+    {0x82, 0x0D, "", &cv7_ar_evidence[3]},       {0x82, 0x0E, "", &cv7_ar_evidence[3]},
+    {0x82, 0x10, "", &cv7_ar_evidence[3]},       {0x82, 0x12, "", &cv7_ar_evidence[9]},
+    {0x82, 0x13, "", &cv7_ar_evidence[3]},       {0x82, 0x1C, "", &cv7_ar_evidence[0]},
+    {0x82, 0x21, "", &cv7_ar_evidence[9]},       {0x82, 0x50, "", &cv7_ar_evidence[4]},
+    {0xA0, 0x01, "", &cv7_ar_evidence[5]},       {0xA0, 0x02, "", &cv7_ar_evidence[2]},
+    {0xA0, 0x03, "", &cv7_ar_evidence[5]},       {0xFF, 0xD0, "", &cv7_ar_evidence[2]},
+    {0xFF, 0xD3, "", &cv7_ar_evidence[2]},       {0xFF, 0xD4, "", &cv7_ar_evidence[5]},
+    {0xFF, 0xD5, "", &cv7_ar_evidence[5]},       {0xFF, 0xD6, "", &cv7_ar_evidence[5]},
+    {0xFF, 0xD7, "", &cv7_ar_evidence[5]},       {0xFF, 0xD8, "", &cv7_ar_evidence[5]},
 };
 
 static const struct mip_profile_field cv7_ar_refuses[] = {
-    {0x0D, 0x19, "WRSLD", &cv7_ar_evidence[11]}, /* filter.auto_initialization_control */
-    {0x0D, 0x44, "WRSLD",
-     &cv7_ar_evidence[11]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[11]}, /* filter.pitch_roll_aiding */
+    {0x0D, 0x19, "WRSLD", &cv7_ar_evidence[11]},
+    {0x0D, 0x44, "WRSLD", &cv7_ar_evidence[11]},
+    {0x0D, 0x4B, "WRSLD", &cv7_ar_evidence[11]},
 };
 
 static const struct mip_profile_rate cv7_ar_rates[] = {
@@ -1450,194 +1094,189 @@ static const struct mip_profile_evidence cv7_gnss_ins_evidence[] = {
 };
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
-    {0x01, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &cv7_gnss_ins_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* base.built_in_test */
-    {0x01, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* base.resume */
-    {0x01, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* base.comm_speed */
-    {0x01, 0x72, "W", &cv7_gnss_ins_evidence[0]},     /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv7_gnss_ins_evidence[0]},      /* base.soft_reset */
-    {0x0C, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.message_format */
-    {0x0C, 0x10, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.data_stream_control */
-    {0x0C, 0x22, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cv7_gnss_ins_evidence[0]},   /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD",
-     &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x40, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cv7_gnss_ins_evidence[0]},    /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.odometer_config */
-    {0x0C, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cv7_gnss_ins_evidence[0]},      /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* filter.reset */
-    {0x0D, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* filter.set_initial_heading */
-    {0x0D, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* filter.run */
-    {0x0D, 0x13, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gnss_source */
-    {0x0D, 0x17, "", &cv7_gnss_ins_evidence[0]},      /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cv7_gnss_ins_evidence[0]},      /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.adaptive_filter_options */
-    {0x0D, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.multi_antenna_offset */
-    {0x0D, 0x55, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.speed_lever_arm */
-    {0x0D, 0x63, "WRSLD",
-     &cv7_gnss_ins_evidence[0]}, /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* filter.gnss_antenna_calibration_control */
-    {0x0E, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* gnss.signal_config */
-    {0x0E, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* gnss.spartn_config */
-    {0x13, 0x01, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* aiding.echo_control */
-    {0x13, 0x21, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ecef_position */
-    {0x13, 0x22, "", &cv7_gnss_ins_evidence[0]},      /* aiding.llh_position */
-    {0x13, 0x23, "", &cv7_gnss_ins_evidence[0]},      /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ecef_velocity */
-    {0x13, 0x29, "", &cv7_gnss_ins_evidence[0]},      /* aiding.ned_velocity */
-    {0x13, 0x2A, "", &cv7_gnss_ins_evidence[0]},      /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", &cv7_gnss_ins_evidence[0]},      /* aiding.true_heading */
-    {0x13, 0x32, "", &cv7_gnss_ins_evidence[0]},      /* aiding.magnetic_field */
-    {0x13, 0x33, "", &cv7_gnss_ins_evidence[0]},      /* aiding.pressure */
-    {0x7F, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]}, /* system.interface_control */
-    {0x80, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv7_gnss_ins_evidence[0]},      /* sensor.comp_euler_angles */
-    {0x80, 0x12, "", &cv7_gnss_ins_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x14, "", &cv7_gnss_ins_evidence[0]},      /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cv7_gnss_ins_evidence[0]},      /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cv7_gnss_ins_evidence[0]},      /* sensor.overrange_status */
-    {0x80, 0x40, "", &cv7_gnss_ins_evidence[0]},      /* sensor.odometer */
-    {0x82, 0x01, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.accel_bias */
-    {0x82, 0x08, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &cv7_gnss_ins_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gravity_vector */
-    {0x82, 0x15, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.pressure_altitude */
-    {0x82, 0x34, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, "",
-     &cv7_gnss_ins_evidence[0]}, /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_position */
-    {0x82, 0x41, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, "",
-     &cv7_gnss_ins_evidence[0]}, /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, "", &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "",
-     &cv7_gnss_ins_evidence[0]}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x91, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.llh_position */
-    {0x91, 0x04, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ecef_position */
-    {0x91, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ned_velocity */
-    {0x91, 0x06, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.ecef_velocity */
-    {0x91, 0x07, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.dop */
-    {0x91, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.utc_time */
-    {0x91, 0x09, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_time */
-    {0x91, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.fix_info */
-    {0x91, 0x0D, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.hardware_status */
-    {0x91, 0x10, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.clock_info_2 */
-    {0x91, 0x11, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.sbas_info */
-    {0x91, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.satellite_status */
-    {0x91, 0x22, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.raw */
-    {0x91, 0x61, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, "", &cv7_gnss_ins_evidence[0]}, /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.llh_position */
-    {0x92, 0x04, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ecef_position */
-    {0x92, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ned_velocity */
-    {0x92, 0x06, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.ecef_velocity */
-    {0x92, 0x07, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.dop */
-    {0x92, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.utc_time */
-    {0x92, 0x09, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_time */
-    {0x92, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.fix_info */
-    {0x92, 0x0D, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.hardware_status */
-    {0x92, 0x10, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.clock_info_2 */
-    {0x92, 0x11, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.sbas_info */
-    {0x92, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.satellite_status */
-    {0x92, 0x22, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.raw */
-    {0x92, 0x61, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, "", &cv7_gnss_ins_evidence[0]}, /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, "", &cv7_gnss_ins_evidence[0]}, /* gnss_corrections.base_station_info */
-    {0x93, 0x31, "", &cv7_gnss_ins_evidence[0]}, /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.llh_position */
-    {0x94, 0x05, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.fix_info */
-    {0x94, 0x20, "", &cv7_gnss_ins_evidence[0]}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", &cv7_gnss_ins_evidence[0]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cv7_gnss_ins_evidence[0]}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cv7_gnss_ins_evidence[0]}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cv7_gnss_ins_evidence[0]}, /* shared.event_source */
-    {0xFF, 0xD3, "", &cv7_gnss_ins_evidence[0]}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cv7_gnss_ins_evidence[0]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &cv7_gnss_ins_evidence[0]}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cv7_gnss_ins_evidence[0]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cv7_gnss_ins_evidence[0]}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cv7_gnss_ins_evidence[0]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x02, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x06, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x07, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x09, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x72, "W", &cv7_gnss_ins_evidence[0]},
+    {0x01, 0x7E, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x0C, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x0D, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x0E, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x0F, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x10, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x22, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2A, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2B, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2C, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2D, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2E, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x2F, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x30, "SLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x31, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x32, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x33, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x37, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x38, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x39, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x3A, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x3B, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x40, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x41, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x42, "WR", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x51, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x53, "", &cv7_gnss_ins_evidence[0]},
+    {0x0C, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x01, "", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x13, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x15, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x17, "", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x1A, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x1B, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x1C, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x1D, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x1F, "", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x28, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x43, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x50, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x52, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x53, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x54, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x55, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x56, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x61, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x63, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0D, 0x64, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0E, 0x01, "", &cv7_gnss_ins_evidence[0]},
+    {0x0E, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x0E, 0x20, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x01, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x1F, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x21, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x22, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x23, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x28, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x29, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x2A, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x31, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x32, "", &cv7_gnss_ins_evidence[0]},
+    {0x13, 0x33, "", &cv7_gnss_ins_evidence[0]},
+    {0x7F, 0x02, "WRSLD", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x06, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x07, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x09, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x0A, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x0C, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x12, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x14, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x17, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x18, "", &cv7_gnss_ins_evidence[0]},
+    {0x80, 0x40, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x01, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x02, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x06, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x07, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x09, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x0A, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x0B, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x0C, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x0D, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x0E, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x10, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x11, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x12, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x13, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x15, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x1C, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x21, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x34, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x35, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x36, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x37, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x40, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x41, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x42, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x43, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x46, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x47, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x48, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x49, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x50, "", &cv7_gnss_ins_evidence[0]},
+    {0x82, 0x51, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x06, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x07, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x09, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x0B, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x0D, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x10, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x11, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x12, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x20, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x22, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x61, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x62, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x63, "", &cv7_gnss_ins_evidence[0]},
+    {0x91, 0x64, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x04, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x06, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x07, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x09, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x0B, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x0D, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x10, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x11, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x12, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x20, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x22, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x61, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x62, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x63, "", &cv7_gnss_ins_evidence[0]},
+    {0x92, 0x64, "", &cv7_gnss_ins_evidence[0]},
+    {0x93, 0x30, "", &cv7_gnss_ins_evidence[0]},
+    {0x93, 0x31, "", &cv7_gnss_ins_evidence[0]},
+    {0x94, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0x94, 0x05, "", &cv7_gnss_ins_evidence[0]},
+    {0x94, 0x08, "", &cv7_gnss_ins_evidence[0]},
+    {0x94, 0x0B, "", &cv7_gnss_ins_evidence[0]},
+    {0x94, 0x20, "", &cv7_gnss_ins_evidence[0]},
+    {0xA0, 0x01, "", &cv7_gnss_ins_evidence[0]},
+    {0xA0, 0x02, "", &cv7_gnss_ins_evidence[0]},
+    {0xA0, 0x03, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD0, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD3, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD4, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD5, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD6, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD7, "", &cv7_gnss_ins_evidence[0]},
+    {0xFF, 0xD8, "", &cv7_gnss_ins_evidence[0]},
 };
 
 static const struct mip_profile_rate cv7_gnss_ins_rates[] = {
@@ -1999,138 +1638,72 @@ static const struct mip_profile_evidence cv7_ins_evidence[] = {
 };
 
 static const struct mip_profile_field cv7_ins_fields[] = {
-    {0x01, 0x01, "", &cv7_ins_evidence[3]},        /* base.ping */
-    {0x01, 0x02, "", &cv7_ins_evidence[3]},        /* base.set_idle */
-    {0x01, 0x03, "", &cv7_ins_evidence[3]},        /* base.get_device_info */
-    {0x01, 0x04, "", &cv7_ins_evidence[5]},        /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cv7_ins_evidence[10]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cv7_ins_evidence[3]},        /* base.resume */
-    {0x01, 0x07, "", &cv7_ins_evidence[5]},        /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cv7_ins_evidence[10]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cv7_ins_evidence[6]},   /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cv7_ins_evidence[10]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cv7_ins_evidence[10]},       /* base.soft_reset */
-    {0x0C, 0x04, "", &cv7_ins_evidence[10]},       /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", &cv7_ins_evidence[10]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cv7_ins_evidence[3]},        /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cv7_ins_evidence[3]},   /* 3dm.message_format */
-    {0x0C, 0x10, "", &cv7_ins_evidence[10]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cv7_ins_evidence[6]},   /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cv7_ins_evidence[10]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cv7_ins_evidence[3]},     /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cv7_ins_evidence[3]},        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cv7_ins_evidence[10]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cv7_ins_evidence[6]},   /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cv7_ins_evidence[6]},      /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cv7_ins_evidence[5]},   /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cv7_ins_evidence[10]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cv7_ins_evidence[10]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cv7_ins_evidence[3]},        /* filter.reset */
-    {0x0D, 0x03, "", &cv7_ins_evidence[10]},       /* filter.set_initial_heading */
-    {0x0D, 0x05, "", &cv7_ins_evidence[10]},       /* filter.run */
-    {0x0D, 0x13, "WRSLD", &cv7_ins_evidence[0]},   /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", &cv7_ins_evidence[5]},   /* filter.gnss_source */
-    {0x0D, 0x17, "", &cv7_ins_evidence[10]},       /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", &cv7_ins_evidence[10]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &cv7_ins_evidence[10]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cv7_ins_evidence[10]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cv7_ins_evidence[0]},   /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cv7_ins_evidence[10]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cv7_ins_evidence[6]},   /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cv7_ins_evidence[3]},   /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", &cv7_ins_evidence[1]},   /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", &cv7_ins_evidence[7]},   /* filter.adaptive_filter_options */
-    {0x0D, 0x55, "WRSLD", &cv7_ins_evidence[6]},   /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", &cv7_ins_evidence[10]},  /* filter.reference_point_lever_arm */
-    {0x13, 0x01, "WRSLD", &cv7_ins_evidence[1]},   /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cv7_ins_evidence[10]},  /* aiding.echo_control */
-    {0x13, 0x21, "", &cv7_ins_evidence[10]},       /* aiding.ecef_position */
-    {0x13, 0x22, "", &cv7_ins_evidence[3]},        /* aiding.llh_position */
-    {0x13, 0x23, "", &cv7_ins_evidence[10]},       /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", &cv7_ins_evidence[10]},       /* aiding.ecef_velocity */
-    {0x13, 0x29, "", &cv7_ins_evidence[3]},        /* aiding.ned_velocity */
-    {0x13, 0x2A, "", &cv7_ins_evidence[3]},        /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", &cv7_ins_evidence[3]},        /* aiding.true_heading */
-    {0x13, 0x32, "", &cv7_ins_evidence[10]},       /* aiding.magnetic_field */
-    {0x13, 0x33, "", &cv7_ins_evidence[10]},       /* aiding.pressure */
-    {0x80, 0x04, "", &cv7_ins_evidence[8]},        /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cv7_ins_evidence[8]},        /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cv7_ins_evidence[5]},        /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cv7_ins_evidence[10]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cv7_ins_evidence[10]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cv7_ins_evidence[9]},        /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cv7_ins_evidence[9]},        /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cv7_ins_evidence[9]},        /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cv7_ins_evidence[10]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cv7_ins_evidence[5]},        /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cv7_ins_evidence[10]},       /* sensor.overrange_status */
-    {0x82, 0x01, "", &cv7_ins_evidence[4]},        /* filter_data.llh_position */
-    {0x82, 0x02, "", &cv7_ins_evidence[4]},        /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &cv7_ins_evidence[5]},        /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cv7_ins_evidence[10]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cv7_ins_evidence[4]},        /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cv7_ins_evidence[9]},        /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &cv7_ins_evidence[9]},        /* filter_data.accel_bias */
-    {0x82, 0x08, "", &cv7_ins_evidence[5]},        /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &cv7_ins_evidence[5]},        /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &cv7_ins_evidence[5]},        /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cv7_ins_evidence[9]},        /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &cv7_ins_evidence[9]},        /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &cv7_ins_evidence[5]},        /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cv7_ins_evidence[5]},        /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cv7_ins_evidence[4]},        /* filter_data.status */
-    {0x82, 0x12, "", &cv7_ins_evidence[9]},        /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cv7_ins_evidence[9]},        /* filter_data.gravity_vector */
-    {0x82, 0x15, "", &cv7_ins_evidence[10]},       /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cv7_ins_evidence[9]},        /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cv7_ins_evidence[9]},        /* filter_data.pressure_altitude */
-    {0x82, 0x36, "", &cv7_ins_evidence[6]},        /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &cv7_ins_evidence[10]},       /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &cv7_ins_evidence[6]},        /* filter_data.ecef_position */
-    {0x82, 0x41, "", &cv7_ins_evidence[10]},       /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", &cv7_ins_evidence[6]},        /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", &cv7_ins_evidence[10]},       /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", &cv7_ins_evidence[6]},        /* filter_data.aiding_measurement_summary */
-    {0x82, 0x50, "", &cv7_ins_evidence[1]},        /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "", &cv7_ins_evidence[10]}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x94, 0x03, "", &cv7_ins_evidence[2]},  /* gnss_external.llh_position */
-    {0x94, 0x04, "", &cv7_ins_evidence[2]},  /* gnss_external.ecef_position */
-    {0x94, 0x05, "", &cv7_ins_evidence[2]},  /* gnss_external.ned_velocity */
-    {0x94, 0x06, "", &cv7_ins_evidence[2]},  /* gnss_external.ecef_velocity */
-    {0x94, 0x07, "", &cv7_ins_evidence[2]},  /* gnss_external.dop */
-    {0x94, 0x08, "", &cv7_ins_evidence[2]},  /* gnss_external.utc_time */
-    {0x94, 0x0B, "", &cv7_ins_evidence[2]},  /* gnss_external.fix_info */
-    {0x94, 0x10, "", &cv7_ins_evidence[2]},  /* gnss_external.clock_info_2 */
-    {0x94, 0x11, "", &cv7_ins_evidence[2]},  /* gnss_external.gps_leap_seconds */
-    {0x94, 0x14, "", &cv7_ins_evidence[2]},  /* gnss_external.rf_error_detection */
-    {0x94, 0x20, "", &cv7_ins_evidence[2]},  /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", &cv7_ins_evidence[10]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cv7_ins_evidence[4]},  /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cv7_ins_evidence[9]},  /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cv7_ins_evidence[10]}, /* shared.event_source */
-    {0xFF, 0xD3, "", &cv7_ins_evidence[4]},  /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cv7_ins_evidence[10]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &cv7_ins_evidence[9]},  /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cv7_ins_evidence[10]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cv7_ins_evidence[9]},  /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cv7_ins_evidence[10]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &cv7_ins_evidence[3]},        {0x01, 0x02, "", &cv7_ins_evidence[3]},
+    {0x01, 0x03, "", &cv7_ins_evidence[3]},        {0x01, 0x04, "", &cv7_ins_evidence[5]},
+    {0x01, 0x05, "", &cv7_ins_evidence[10]},       {0x01, 0x06, "", &cv7_ins_evidence[3]},
+    {0x01, 0x07, "", &cv7_ins_evidence[5]},        {0x01, 0x08, "", &cv7_ins_evidence[10]},
+    {0x01, 0x09, "WRSLD", &cv7_ins_evidence[6]},   {0x01, 0x72, "WRA", &cv7_ins_evidence[10]},
+    {0x01, 0x7E, "", &cv7_ins_evidence[10]},       {0x0C, 0x04, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x0C, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x0D, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x0E, "", &cv7_ins_evidence[3]},        {0x0C, 0x0F, "WRSLD", &cv7_ins_evidence[3]},
+    {0x0C, 0x10, "", &cv7_ins_evidence[10]},       {0x0C, 0x11, "WRSLD", &cv7_ins_evidence[5]},
+    {0x0C, 0x28, "WRSLD", &cv7_ins_evidence[6]},   {0x0C, 0x2A, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x2B, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x2C, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x2D, "", &cv7_ins_evidence[10]},       {0x0C, 0x2E, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0C, 0x2F, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x30, "SLD", &cv7_ins_evidence[3]},
+    {0x0C, 0x31, "WRSLD", &cv7_ins_evidence[5]},   {0x0C, 0x32, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0C, 0x33, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x37, "WRSLDA", &cv7_ins_evidence[10]},
+    {0x0C, 0x38, "WRSLDA", &cv7_ins_evidence[10]}, {0x0C, 0x39, "", &cv7_ins_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &cv7_ins_evidence[10]}, {0x0C, 0x3B, "WRSLDA", &cv7_ins_evidence[10]},
+    {0x0C, 0x41, "WRSLD", &cv7_ins_evidence[6]},   {0x0C, 0x42, "WR", &cv7_ins_evidence[6]},
+    {0x0C, 0x50, "WRSLD", &cv7_ins_evidence[10]},  {0x0C, 0x51, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0C, 0x52, "WRSLD", &cv7_ins_evidence[5]},   {0x0C, 0x53, "", &cv7_ins_evidence[10]},
+    {0x0C, 0x54, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x01, "", &cv7_ins_evidence[3]},
+    {0x0D, 0x03, "", &cv7_ins_evidence[10]},       {0x0D, 0x05, "", &cv7_ins_evidence[10]},
+    {0x0D, 0x13, "WRSLD", &cv7_ins_evidence[0]},   {0x0D, 0x15, "WRSLD", &cv7_ins_evidence[5]},
+    {0x0D, 0x17, "", &cv7_ins_evidence[10]},       {0x0D, 0x1A, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0D, 0x1B, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x1C, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0D, 0x1D, "WRSLD", &cv7_ins_evidence[10]},  {0x0D, 0x1F, "", &cv7_ins_evidence[10]},
+    {0x0D, 0x20, "WRSLD", &cv7_ins_evidence[0]},   {0x0D, 0x28, "WRSLD", &cv7_ins_evidence[10]},
+    {0x0D, 0x43, "WRSLD", &cv7_ins_evidence[6]},   {0x0D, 0x50, "WRSLD", &cv7_ins_evidence[3]},
+    {0x0D, 0x52, "WRSLD", &cv7_ins_evidence[1]},   {0x0D, 0x53, "WRSLD", &cv7_ins_evidence[7]},
+    {0x0D, 0x55, "WRSLD", &cv7_ins_evidence[6]},   {0x0D, 0x56, "WRSLD", &cv7_ins_evidence[10]},
+    {0x13, 0x01, "WRSLD", &cv7_ins_evidence[1]},   {0x13, 0x1F, "WRSLD", &cv7_ins_evidence[10]},
+    {0x13, 0x21, "", &cv7_ins_evidence[10]},       {0x13, 0x22, "", &cv7_ins_evidence[3]},
+    {0x13, 0x23, "", &cv7_ins_evidence[10]},       {0x13, 0x28, "", &cv7_ins_evidence[10]},
+    {0x13, 0x29, "", &cv7_ins_evidence[3]},        {0x13, 0x2A, "", &cv7_ins_evidence[3]},
+    {0x13, 0x31, "", &cv7_ins_evidence[3]},        {0x13, 0x32, "", &cv7_ins_evidence[10]},
+    {0x13, 0x33, "", &cv7_ins_evidence[10]},       {0x80, 0x04, "", &cv7_ins_evidence[8]},
+    {0x80, 0x05, "", &cv7_ins_evidence[8]},        {0x80, 0x06, "", &cv7_ins_evidence[5]},
+    {0x80, 0x07, "", &cv7_ins_evidence[10]},       {0x80, 0x08, "", &cv7_ins_evidence[10]},
+    {0x80, 0x09, "", &cv7_ins_evidence[9]},        {0x80, 0x0A, "", &cv7_ins_evidence[9]},
+    {0x80, 0x0C, "", &cv7_ins_evidence[9]},        {0x80, 0x14, "", &cv7_ins_evidence[10]},
+    {0x80, 0x17, "", &cv7_ins_evidence[5]},        {0x80, 0x18, "", &cv7_ins_evidence[10]},
+    {0x82, 0x01, "", &cv7_ins_evidence[4]},        {0x82, 0x02, "", &cv7_ins_evidence[4]},
+    {0x82, 0x03, "", &cv7_ins_evidence[5]},        {0x82, 0x04, "", &cv7_ins_evidence[10]},
+    {0x82, 0x05, "", &cv7_ins_evidence[4]},        {0x82, 0x06, "", &cv7_ins_evidence[9]},
+    {0x82, 0x07, "", &cv7_ins_evidence[9]},        {0x82, 0x08, "", &cv7_ins_evidence[5]},
+    {0x82, 0x09, "", &cv7_ins_evidence[5]},        {0x82, 0x0A, "", &cv7_ins_evidence[5]},
+    {0x82, 0x0B, "", &cv7_ins_evidence[9]},        {0x82, 0x0C, "", &cv7_ins_evidence[9]},
+    {0x82, 0x0D, "", &cv7_ins_evidence[5]},        {0x82, 0x0E, "", &cv7_ins_evidence[5]},
+    {0x82, 0x10, "", &cv7_ins_evidence[4]},        {0x82, 0x12, "", &cv7_ins_evidence[9]},
+    {0x82, 0x13, "", &cv7_ins_evidence[9]},        {0x82, 0x15, "", &cv7_ins_evidence[10]},
+    {0x82, 0x1C, "", &cv7_ins_evidence[9]},        {0x82, 0x21, "", &cv7_ins_evidence[9]},
+    {0x82, 0x36, "", &cv7_ins_evidence[6]},        {0x82, 0x37, "", &cv7_ins_evidence[10]},
+    {0x82, 0x40, "", &cv7_ins_evidence[6]},        {0x82, 0x41, "", &cv7_ins_evidence[10]},
+    {0x82, 0x42, "", &cv7_ins_evidence[6]},        {0x82, 0x43, "", &cv7_ins_evidence[10]},
+    {0x82, 0x46, "", &cv7_ins_evidence[6]},        {0x82, 0x50, "", &cv7_ins_evidence[1]},
+    {0x82, 0x51, "", &cv7_ins_evidence[10]},       {0x94, 0x03, "", &cv7_ins_evidence[2]},
+    {0x94, 0x04, "", &cv7_ins_evidence[2]},        {0x94, 0x05, "", &cv7_ins_evidence[2]},
+    {0x94, 0x06, "", &cv7_ins_evidence[2]},        {0x94, 0x07, "", &cv7_ins_evidence[2]},
+    {0x94, 0x08, "", &cv7_ins_evidence[2]},        {0x94, 0x0B, "", &cv7_ins_evidence[2]},
+    {0x94, 0x10, "", &cv7_ins_evidence[2]},        {0x94, 0x11, "", &cv7_ins_evidence[2]},
+    {0x94, 0x14, "", &cv7_ins_evidence[2]},        {0x94, 0x20, "", &cv7_ins_evidence[2]},
+    {0xA0, 0x01, "", &cv7_ins_evidence[10]},       {0xA0, 0x02, "", &cv7_ins_evidence[4]},
+    {0xA0, 0x03, "", &cv7_ins_evidence[9]},        {0xFF, 0xD0, "", &cv7_ins_evidence[10]},
+    {0xFF, 0xD3, "", &cv7_ins_evidence[4]},        {0xFF, 0xD4, "", &cv7_ins_evidence[10]},
+    {0xFF, 0xD5, "", &cv7_ins_evidence[9]},        {0xFF, 0xD6, "", &cv7_ins_evidence[10]},
+    {0xFF, 0xD7, "", &cv7_ins_evidence[9]},        {0xFF, 0xD8, "", &cv7_ins_evidence[10]},
 };
 
 static const struct mip_profile_rate cv7_ins_rates[] = {
@@ -2242,33 +1815,20 @@ static const struct mip_profile_evidence cx5_10_evidence[] = {
 };
 
 static const struct mip_profile_field cx5_10_fields[] = {
-    {0x01, 0x01, "", &cx5_10_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cx5_10_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx5_10_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx5_10_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx5_10_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx5_10_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cx5_10_evidence[1]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cx5_10_evidence[0]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx5_10_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cx5_10_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &cx5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cx5_10_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &cx5_10_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cx5_10_evidence[1]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cx5_10_evidence[2]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx5_10_evidence[2]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx5_10_evidence[2]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx5_10_evidence[2]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cx5_10_evidence[2]},       /* 3dm.device_status */
-    {0x80, 0x04, "", &cx5_10_evidence[1]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx5_10_evidence[1]},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cx5_10_evidence[2]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx5_10_evidence[2]},       /* sensor.delta_velocity */
-    {0x80, 0x12, "", &cx5_10_evidence[2]},       /* sensor.gps_timestamp */
+    {0x01, 0x01, "", &cx5_10_evidence[0]},       {0x01, 0x02, "", &cx5_10_evidence[0]},
+    {0x01, 0x03, "", &cx5_10_evidence[0]},       {0x01, 0x04, "", &cx5_10_evidence[0]},
+    {0x01, 0x05, "", &cx5_10_evidence[0]},       {0x01, 0x06, "", &cx5_10_evidence[0]},
+    {0x01, 0x07, "", &cx5_10_evidence[1]},       {0x01, 0x72, "WRA", &cx5_10_evidence[0]},
+    {0x01, 0x7E, "", &cx5_10_evidence[0]},       {0x0C, 0x01, "", &cx5_10_evidence[0]},
+    {0x0C, 0x06, "", &cx5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &cx5_10_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &cx5_10_evidence[0]},  {0x0C, 0x30, "SLD", &cx5_10_evidence[1]},
+    {0x0C, 0x37, "WRSLDA", &cx5_10_evidence[2]}, {0x0C, 0x38, "WRSLDA", &cx5_10_evidence[2]},
+    {0x0C, 0x39, "", &cx5_10_evidence[2]},       {0x0C, 0x3E, "WRSLD", &cx5_10_evidence[2]},
+    {0x0C, 0x40, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x50, "WRSLD", &cx5_10_evidence[2]},
+    {0x0C, 0x51, "WRSLD", &cx5_10_evidence[2]},  {0x0C, 0x64, "", &cx5_10_evidence[2]},
+    {0x80, 0x04, "", &cx5_10_evidence[1]},       {0x80, 0x05, "", &cx5_10_evidence[1]},
+    {0x80, 0x07, "", &cx5_10_evidence[2]},       {0x80, 0x08, "", &cx5_10_evidence[2]},
+    {0x80, 0x12, "", &cx5_10_evidence[2]},
 };
 
 static const struct mip_profile_note cx5_10_notes[] = {
@@ -2333,80 +1893,43 @@ static const struct mip_profile_evidence cx5_15_evidence[] = {
 };
 
 static const struct mip_profile_field cx5_15_fields[] = {
-    {0x01, 0x01, "", &cx5_15_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cx5_15_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx5_15_evidence[1]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx5_15_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx5_15_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx5_15_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cx5_15_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cx5_15_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx5_15_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cx5_15_evidence[3]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cx5_15_evidence[3]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cx5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cx5_15_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cx5_15_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cx5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cx5_15_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cx5_15_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx5_15_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx5_15_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cx5_15_evidence[3]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cx5_15_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cx5_15_evidence[3]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cx5_15_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cx5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cx5_15_evidence[3]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cx5_15_evidence[3]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cx5_15_evidence[3]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cx5_15_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cx5_15_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx5_15_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cx5_15_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cx5_15_evidence[3]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cx5_15_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cx5_15_evidence[3]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cx5_15_evidence[3]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cx5_15_evidence[3]},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", &cx5_15_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", &cx5_15_evidence[3]},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD",
-     &cx5_15_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", &cx5_15_evidence[3]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cx5_15_evidence[3]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cx5_15_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx5_15_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &cx5_15_evidence[3]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx5_15_evidence[3]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx5_15_evidence[3]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx5_15_evidence[3]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx5_15_evidence[3]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cx5_15_evidence[3]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cx5_15_evidence[3]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cx5_15_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cx5_15_evidence[3]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cx5_15_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx5_15_evidence[3]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx5_15_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx5_15_evidence[3]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cx5_15_evidence[3]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx5_15_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cx5_15_evidence[3]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx5_15_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cx5_15_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cx5_15_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &cx5_15_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cx5_15_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx5_15_evidence[3]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cx5_15_evidence[3]},      /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", &cx5_15_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cx5_15_evidence[3]},      /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", &cx5_15_evidence[0]},       {0x01, 0x02, "", &cx5_15_evidence[0]},
+    {0x01, 0x03, "", &cx5_15_evidence[1]},       {0x01, 0x04, "", &cx5_15_evidence[2]},
+    {0x01, 0x05, "", &cx5_15_evidence[3]},       {0x01, 0x06, "", &cx5_15_evidence[0]},
+    {0x01, 0x07, "", &cx5_15_evidence[2]},       {0x01, 0x72, "WRA", &cx5_15_evidence[3]},
+    {0x01, 0x7E, "", &cx5_15_evidence[3]},       {0x0C, 0x01, "", &cx5_15_evidence[3]},
+    {0x0C, 0x03, "", &cx5_15_evidence[3]},       {0x0C, 0x06, "", &cx5_15_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cx5_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cx5_15_evidence[0]},
+    {0x0C, 0x0B, "", &cx5_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &cx5_15_evidence[3]},
+    {0x0C, 0x30, "SLD", &cx5_15_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cx5_15_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cx5_15_evidence[3]}, {0x0C, 0x39, "", &cx5_15_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &cx5_15_evidence[3]},  {0x0C, 0x40, "WRSLD", &cx5_15_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cx5_15_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx5_15_evidence[3]},
+    {0x0C, 0x64, "", &cx5_15_evidence[3]},       {0x0D, 0x01, "", &cx5_15_evidence[1]},
+    {0x0D, 0x02, "", &cx5_15_evidence[3]},       {0x0D, 0x03, "", &cx5_15_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &cx5_15_evidence[0]},  {0x0D, 0x14, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x17, "", &cx5_15_evidence[3]},       {0x0D, 0x18, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x19, "WRSLD", &cx5_15_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cx5_15_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x1F, "", &cx5_15_evidence[3]},       {0x0D, 0x20, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x21, "WRSLD", &cx5_15_evidence[3]},  {0x0D, 0x23, "", &cx5_15_evidence[3]},
+    {0x0D, 0x26, "WRSLD", &cx5_15_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x41, "WRSLD", &cx5_15_evidence[3]},  {0x0D, 0x44, "WRSLD", &cx5_15_evidence[3]},
+    {0x0D, 0x4B, "WRSLD", &cx5_15_evidence[3]},  {0x7F, 0x10, "WRSLD", &cx5_15_evidence[3]},
+    {0x80, 0x04, "", &cx5_15_evidence[0]},       {0x80, 0x05, "", &cx5_15_evidence[0]},
+    {0x80, 0x07, "", &cx5_15_evidence[3]},       {0x80, 0x08, "", &cx5_15_evidence[3]},
+    {0x80, 0x09, "", &cx5_15_evidence[3]},       {0x80, 0x0A, "", &cx5_15_evidence[3]},
+    {0x80, 0x0C, "", &cx5_15_evidence[3]},       {0x80, 0x10, "", &cx5_15_evidence[3]},
+    {0x80, 0x11, "", &cx5_15_evidence[3]},       {0x80, 0x12, "", &cx5_15_evidence[0]},
+    {0x80, 0x17, "", &cx5_15_evidence[3]},       {0x82, 0x03, "", &cx5_15_evidence[3]},
+    {0x82, 0x04, "", &cx5_15_evidence[3]},       {0x82, 0x05, "", &cx5_15_evidence[0]},
+    {0x82, 0x06, "", &cx5_15_evidence[3]},       {0x82, 0x0A, "", &cx5_15_evidence[3]},
+    {0x82, 0x0B, "", &cx5_15_evidence[3]},       {0x82, 0x0D, "", &cx5_15_evidence[3]},
+    {0x82, 0x0E, "", &cx5_15_evidence[0]},       {0x82, 0x0F, "", &cx5_15_evidence[3]},
+    {0x82, 0x10, "", &cx5_15_evidence[0]},       {0x82, 0x11, "", &cx5_15_evidence[0]},
+    {0x82, 0x12, "", &cx5_15_evidence[3]},       {0x82, 0x13, "", &cx5_15_evidence[3]},
+    {0x82, 0x14, "", &cx5_15_evidence[3]},       {0x82, 0x1C, "", &cx5_15_evidence[0]},
+    {0x82, 0x21, "", &cx5_15_evidence[3]},
 };
 
 static const struct mip_profile_note cx5_15_notes[] = {
@@ -2474,99 +1997,51 @@ static const struct mip_profile_evidence cx5_25_evidence[] = {
 };
 
 static const struct mip_profile_field cx5_25_fields[] = {
-    {0x01, 0x01, "", &cx5_25_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cx5_25_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx5_25_evidence[1]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx5_25_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx5_25_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx5_25_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cx5_25_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cx5_25_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx5_25_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cx5_25_evidence[3]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &cx5_25_evidence[3]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cx5_25_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &cx5_25_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &cx5_25_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cx5_25_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &cx5_25_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx5_25_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx5_25_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cx5_25_evidence[3]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cx5_25_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cx5_25_evidence[3]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cx5_25_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &cx5_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &cx5_25_evidence[3]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &cx5_25_evidence[3]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cx5_25_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cx5_25_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cx5_25_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx5_25_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cx5_25_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cx5_25_evidence[3]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cx5_25_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cx5_25_evidence[3]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &cx5_25_evidence[3]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &cx5_25_evidence[3]},  /* filter.reference_position */
-    {0x0D, 0x27, "WS", &cx5_25_evidence[3]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &cx5_25_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &cx5_25_evidence[3]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &cx5_25_evidence[3]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &cx5_25_evidence[3]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x41, "WRSLD", &cx5_25_evidence[3]},  /* filter.enable_measurements */
-    {0x0D, 0x42, "WRSLD", &cx5_25_evidence[3]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &cx5_25_evidence[3]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &cx5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &cx5_25_evidence[3]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &cx5_25_evidence[3]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &cx5_25_evidence[3]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &cx5_25_evidence[3]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &cx5_25_evidence[3]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cx5_25_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx5_25_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx5_25_evidence[3]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx5_25_evidence[3]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx5_25_evidence[3]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx5_25_evidence[3]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx5_25_evidence[3]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx5_25_evidence[3]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cx5_25_evidence[3]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cx5_25_evidence[3]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cx5_25_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cx5_25_evidence[3]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &cx5_25_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx5_25_evidence[3]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx5_25_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx5_25_evidence[3]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cx5_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx5_25_evidence[3]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cx5_25_evidence[3]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx5_25_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cx5_25_evidence[3]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cx5_25_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &cx5_25_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cx5_25_evidence[3]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx5_25_evidence[3]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cx5_25_evidence[3]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &cx5_25_evidence[3]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cx5_25_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cx5_25_evidence[3]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &cx5_25_evidence[3]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &cx5_25_evidence[3]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &cx5_25_evidence[3]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &cx5_25_evidence[3]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &cx5_25_evidence[0]},       {0x01, 0x02, "", &cx5_25_evidence[0]},
+    {0x01, 0x03, "", &cx5_25_evidence[1]},       {0x01, 0x04, "", &cx5_25_evidence[2]},
+    {0x01, 0x05, "", &cx5_25_evidence[3]},       {0x01, 0x06, "", &cx5_25_evidence[0]},
+    {0x01, 0x07, "", &cx5_25_evidence[2]},       {0x01, 0x72, "WRA", &cx5_25_evidence[3]},
+    {0x01, 0x7E, "", &cx5_25_evidence[3]},       {0x0C, 0x01, "", &cx5_25_evidence[3]},
+    {0x0C, 0x03, "", &cx5_25_evidence[3]},       {0x0C, 0x06, "", &cx5_25_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &cx5_25_evidence[0]},  {0x0C, 0x0A, "WRSLD", &cx5_25_evidence[0]},
+    {0x0C, 0x0B, "", &cx5_25_evidence[0]},       {0x0C, 0x11, "WRSLD", &cx5_25_evidence[3]},
+    {0x0C, 0x30, "SLD", &cx5_25_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cx5_25_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cx5_25_evidence[3]}, {0x0C, 0x39, "", &cx5_25_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &cx5_25_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx5_25_evidence[3]},
+    {0x0C, 0x3E, "WRSLD", &cx5_25_evidence[3]},  {0x0C, 0x40, "WRSLD", &cx5_25_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cx5_25_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx5_25_evidence[3]},
+    {0x0C, 0x64, "", &cx5_25_evidence[3]},       {0x0D, 0x01, "", &cx5_25_evidence[1]},
+    {0x0D, 0x02, "", &cx5_25_evidence[3]},       {0x0D, 0x03, "", &cx5_25_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &cx5_25_evidence[0]},  {0x0D, 0x14, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x17, "", &cx5_25_evidence[3]},       {0x0D, 0x18, "WRSLD", &cx5_25_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cx5_25_evidence[0]},  {0x0D, 0x1A, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x1F, "", &cx5_25_evidence[3]},       {0x0D, 0x20, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x21, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x23, "", &cx5_25_evidence[3]},
+    {0x0D, 0x26, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x27, "WS", &cx5_25_evidence[3]},
+    {0x0D, 0x28, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x29, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x2B, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x2C, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x41, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x42, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x44, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x45, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x46, "WRSLD", &cx5_25_evidence[3]},
+    {0x0D, 0x47, "WRSLD", &cx5_25_evidence[3]},  {0x0D, 0x4B, "WRSLD", &cx5_25_evidence[3]},
+    {0x7F, 0x10, "WRSLD", &cx5_25_evidence[3]},  {0x80, 0x04, "", &cx5_25_evidence[0]},
+    {0x80, 0x05, "", &cx5_25_evidence[0]},       {0x80, 0x06, "", &cx5_25_evidence[3]},
+    {0x80, 0x07, "", &cx5_25_evidence[3]},       {0x80, 0x08, "", &cx5_25_evidence[3]},
+    {0x80, 0x09, "", &cx5_25_evidence[3]},       {0x80, 0x0A, "", &cx5_25_evidence[3]},
+    {0x80, 0x0C, "", &cx5_25_evidence[3]},       {0x80, 0x10, "", &cx5_25_evidence[3]},
+    {0x80, 0x11, "", &cx5_25_evidence[3]},       {0x80, 0x12, "", &cx5_25_evidence[0]},
+    {0x80, 0x17, "", &cx5_25_evidence[3]},       {0x82, 0x03, "", &cx5_25_evidence[3]},
+    {0x82, 0x04, "", &cx5_25_evidence[3]},       {0x82, 0x05, "", &cx5_25_evidence[0]},
+    {0x82, 0x06, "", &cx5_25_evidence[3]},       {0x82, 0x0A, "", &cx5_25_evidence[3]},
+    {0x82, 0x0B, "", &cx5_25_evidence[3]},       {0x82, 0x0D, "", &cx5_25_evidence[3]},
+    {0x82, 0x0E, "", &cx5_25_evidence[0]},       {0x82, 0x0F, "", &cx5_25_evidence[3]},
+    {0x82, 0x10, "", &cx5_25_evidence[0]},       {0x82, 0x11, "", &cx5_25_evidence[0]},
+    {0x82, 0x12, "", &cx5_25_evidence[3]},       {0x82, 0x13, "", &cx5_25_evidence[3]},
+    {0x82, 0x14, "", &cx5_25_evidence[3]},       {0x82, 0x15, "", &cx5_25_evidence[3]},
+    {0x82, 0x1C, "", &cx5_25_evidence[0]},       {0x82, 0x21, "", &cx5_25_evidence[3]},
+    {0x82, 0x25, "", &cx5_25_evidence[3]},       {0x82, 0x26, "", &cx5_25_evidence[3]},
+    {0x82, 0x28, "", &cx5_25_evidence[3]},       {0x82, 0x29, "", &cx5_25_evidence[3]},
 };
 
 static const struct mip_profile_note cx5_25_notes[] = {
@@ -2630,63 +2105,35 @@ static const struct mip_profile_evidence cx5_35_evidence[] = {
 };
 
 static const struct mip_profile_field cx5_35_fields[] = {
-    {0x01, 0x01, "", &cx5_35_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &cx5_35_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx5_35_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx5_35_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx5_35_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx5_35_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &cx5_35_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cx5_35_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx5_35_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cx5_35_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &cx5_35_evidence[1]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", &cx5_35_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &cx5_35_evidence[1]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &cx5_35_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", &cx5_35_evidence[1]},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", &cx5_35_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx5_35_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx5_35_evidence[1]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx5_35_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cx5_35_evidence[1]},       /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", &cx5_35_evidence[1]},  /* system.comm_mode */
-    {0x80, 0x04, "", &cx5_35_evidence[0]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx5_35_evidence[0]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx5_35_evidence[1]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx5_35_evidence[1]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx5_35_evidence[1]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx5_35_evidence[1]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx5_35_evidence[1]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx5_35_evidence[1]},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cx5_35_evidence[1]},       /* sensor.north_vector */
-    {0x80, 0x11, "", &cx5_35_evidence[1]},       /* sensor.up_vector */
-    {0x80, 0x12, "", &cx5_35_evidence[1]},       /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cx5_35_evidence[1]},       /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &cx5_35_evidence[1]},       /* gnss_data.llh_position */
-    {0x81, 0x04, "", &cx5_35_evidence[1]},       /* gnss_data.ecef_position */
-    {0x81, 0x05, "", &cx5_35_evidence[1]},       /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", &cx5_35_evidence[1]},       /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", &cx5_35_evidence[1]},       /* gnss_data.dop */
-    {0x81, 0x08, "", &cx5_35_evidence[1]},       /* gnss_data.utc_time */
-    {0x81, 0x09, "", &cx5_35_evidence[1]},       /* gnss_data.gps_time */
-    {0x81, 0x0A, "", &cx5_35_evidence[1]},       /* gnss_data.clock_info */
-    {0x81, 0x0B, "", &cx5_35_evidence[1]},       /* gnss_data.fix_info */
-    {0x81, 0x0C, "", &cx5_35_evidence[1]},       /* gnss_data.sv_info */
-    {0x81, 0x0D, "", &cx5_35_evidence[1]},       /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", &cx5_35_evidence[1]},       /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", &cx5_35_evidence[1]},       /* gnss_data.dgps_channel */
+    {0x01, 0x01, "", &cx5_35_evidence[0]},       {0x01, 0x02, "", &cx5_35_evidence[0]},
+    {0x01, 0x03, "", &cx5_35_evidence[0]},       {0x01, 0x04, "", &cx5_35_evidence[0]},
+    {0x01, 0x05, "", &cx5_35_evidence[1]},       {0x01, 0x06, "", &cx5_35_evidence[0]},
+    {0x01, 0x07, "", &cx5_35_evidence[0]},       {0x01, 0x72, "WRA", &cx5_35_evidence[1]},
+    {0x01, 0x7E, "", &cx5_35_evidence[1]},       {0x0C, 0x01, "", &cx5_35_evidence[1]},
+    {0x0C, 0x02, "", &cx5_35_evidence[1]},       {0x0C, 0x06, "", &cx5_35_evidence[0]},
+    {0x0C, 0x07, "", &cx5_35_evidence[1]},       {0x0C, 0x08, "WRSLD", &cx5_35_evidence[0]},
+    {0x0C, 0x09, "WRSLD", &cx5_35_evidence[1]},  {0x0C, 0x11, "WRSLD", &cx5_35_evidence[1]},
+    {0x0C, 0x21, "WRSLD", &cx5_35_evidence[1]},  {0x0C, 0x22, "WRSLD", &cx5_35_evidence[1]},
+    {0x0C, 0x23, "WRSLD", &cx5_35_evidence[1]},  {0x0C, 0x24, "WR", &cx5_35_evidence[1]},
+    {0x0C, 0x30, "SLD", &cx5_35_evidence[0]},    {0x0C, 0x37, "WRSLDA", &cx5_35_evidence[1]},
+    {0x0C, 0x38, "WRSLDA", &cx5_35_evidence[1]}, {0x0C, 0x39, "", &cx5_35_evidence[1]},
+    {0x0C, 0x3A, "WRSLDA", &cx5_35_evidence[1]}, {0x0C, 0x3B, "WRSLDA", &cx5_35_evidence[1]},
+    {0x0C, 0x3E, "WRSLD", &cx5_35_evidence[1]},  {0x0C, 0x40, "WRSLD", &cx5_35_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &cx5_35_evidence[1]},  {0x0C, 0x51, "WRSLD", &cx5_35_evidence[1]},
+    {0x0C, 0x64, "", &cx5_35_evidence[1]},       {0x7F, 0x10, "WRSLD", &cx5_35_evidence[1]},
+    {0x80, 0x04, "", &cx5_35_evidence[0]},       {0x80, 0x05, "", &cx5_35_evidence[0]},
+    {0x80, 0x06, "", &cx5_35_evidence[1]},       {0x80, 0x07, "", &cx5_35_evidence[1]},
+    {0x80, 0x08, "", &cx5_35_evidence[1]},       {0x80, 0x09, "", &cx5_35_evidence[1]},
+    {0x80, 0x0A, "", &cx5_35_evidence[1]},       {0x80, 0x0C, "", &cx5_35_evidence[1]},
+    {0x80, 0x10, "", &cx5_35_evidence[1]},       {0x80, 0x11, "", &cx5_35_evidence[1]},
+    {0x80, 0x12, "", &cx5_35_evidence[1]},       {0x80, 0x17, "", &cx5_35_evidence[1]},
+    {0x81, 0x03, "", &cx5_35_evidence[1]},       {0x81, 0x04, "", &cx5_35_evidence[1]},
+    {0x81, 0x05, "", &cx5_35_evidence[1]},       {0x81, 0x06, "", &cx5_35_evidence[1]},
+    {0x81, 0x07, "", &cx5_35_evidence[1]},       {0x81, 0x08, "", &cx5_35_evidence[1]},
+    {0x81, 0x09, "", &cx5_35_evidence[1]},       {0x81, 0x0A, "", &cx5_35_evidence[1]},
+    {0x81, 0x0B, "", &cx5_35_evidence[1]},       {0x81, 0x0C, "", &cx5_35_evidence[1]},
+    {0x81, 0x0D, "", &cx5_35_evidence[1]},       {0x81, 0x0E, "", &cx5_35_evidence[1]},
+    {0x81, 0x0F, "", &cx5_35_evidence[1]},
 };
 
 static const struct mip_profile_note cx5_35_notes[] = {
@@ -2754,133 +2201,68 @@ static const struct mip_profile_evidence cx5_45_evidence[] = {
 };
 
 static const struct mip_profile_field cx5_45_fields[] = {
-    {0x01, 0x01, "", &cx5_45_evidence[1]},       /* base.ping */
-    {0x01, 0x02, "", &cx5_45_evidence[1]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx5_45_evidence[2]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx5_45_evidence[4]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx5_45_evidence[5]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx5_45_evidence[1]},       /* base.resume */
-    {0x01, 0x07, "", &cx5_45_evidence[4]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &cx5_45_evidence[5]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx5_45_evidence[5]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &cx5_45_evidence[5]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &cx5_45_evidence[5]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &cx5_45_evidence[5]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &cx5_45_evidence[1]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &cx5_45_evidence[2]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &cx5_45_evidence[1]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &cx5_45_evidence[1]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", &cx5_45_evidence[5]},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", &cx5_45_evidence[1]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx5_45_evidence[2]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx5_45_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx5_45_evidence[5]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &cx5_45_evidence[5]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &cx5_45_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &cx5_45_evidence[5]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &cx5_45_evidence[5]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &cx5_45_evidence[5]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &cx5_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &cx5_45_evidence[5]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &cx5_45_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &cx5_45_evidence[5]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &cx5_45_evidence[5]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &cx5_45_evidence[5]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &cx5_45_evidence[5]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &cx5_45_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &cx5_45_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &cx5_45_evidence[5]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx5_45_evidence[5]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &cx5_45_evidence[5]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &cx5_45_evidence[5]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &cx5_45_evidence[5]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &cx5_45_evidence[5]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cx5_45_evidence[5]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &cx5_45_evidence[5]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &cx5_45_evidence[5]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &cx5_45_evidence[5]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x27, "WS", &cx5_45_evidence[5]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &cx5_45_evidence[5]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &cx5_45_evidence[5]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &cx5_45_evidence[5]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &cx5_45_evidence[5]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", &cx5_45_evidence[5]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &cx5_45_evidence[5]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &cx5_45_evidence[5]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &cx5_45_evidence[5]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &cx5_45_evidence[5]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &cx5_45_evidence[5]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &cx5_45_evidence[5]}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD", &cx5_45_evidence[5]}, /* filter.adaptive_filter_options */
-    {0x7F, 0x10, "WRSLD", &cx5_45_evidence[5]}, /* system.comm_mode */
-    {0x80, 0x04, "", &cx5_45_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx5_45_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx5_45_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx5_45_evidence[5]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx5_45_evidence[5]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx5_45_evidence[5]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx5_45_evidence[3]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx5_45_evidence[5]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &cx5_45_evidence[5]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &cx5_45_evidence[5]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &cx5_45_evidence[1]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &cx5_45_evidence[3]},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &cx5_45_evidence[3]},      /* gnss_data.llh_position */
-    {0x81, 0x04, "", &cx5_45_evidence[5]},      /* gnss_data.ecef_position */
-    {0x81, 0x05, "", &cx5_45_evidence[3]},      /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", &cx5_45_evidence[5]},      /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", &cx5_45_evidence[3]},      /* gnss_data.dop */
-    {0x81, 0x08, "", &cx5_45_evidence[5]},      /* gnss_data.utc_time */
-    {0x81, 0x09, "", &cx5_45_evidence[5]},      /* gnss_data.gps_time */
-    {0x81, 0x0A, "", &cx5_45_evidence[5]},      /* gnss_data.clock_info */
-    {0x81, 0x0B, "", &cx5_45_evidence[1]},      /* gnss_data.fix_info */
-    {0x81, 0x0C, "", &cx5_45_evidence[5]},      /* gnss_data.sv_info */
-    {0x81, 0x0D, "", &cx5_45_evidence[5]},      /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", &cx5_45_evidence[5]},      /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", &cx5_45_evidence[5]},      /* gnss_data.dgps_channel */
-    {0x82, 0x01, "", &cx5_45_evidence[1]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &cx5_45_evidence[1]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &cx5_45_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx5_45_evidence[5]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx5_45_evidence[1]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx5_45_evidence[6]},      /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &cx5_45_evidence[6]},      /* filter_data.accel_bias */
-    {0x82, 0x08, "", &cx5_45_evidence[6]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &cx5_45_evidence[6]},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &cx5_45_evidence[6]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx5_45_evidence[6]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &cx5_45_evidence[6]},      /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &cx5_45_evidence[6]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx5_45_evidence[5]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &cx5_45_evidence[6]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &cx5_45_evidence[1]},      /* filter_data.status */
-    {0x82, 0x11, "", &cx5_45_evidence[1]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &cx5_45_evidence[6]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx5_45_evidence[6]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &cx5_45_evidence[5]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &cx5_45_evidence[6]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cx5_45_evidence[6]},      /* filter_data.comp_accel */
-    {0x82, 0x20, "", &cx5_45_evidence[6]},      /* filter_data.standard_atmosphere */
-    {0x82, 0x21, "", &cx5_45_evidence[6]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &cx5_45_evidence[6]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &cx5_45_evidence[6]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &cx5_45_evidence[6]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &cx5_45_evidence[6]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &cx5_45_evidence[1]},       {0x01, 0x02, "", &cx5_45_evidence[1]},
+    {0x01, 0x03, "", &cx5_45_evidence[2]},       {0x01, 0x04, "", &cx5_45_evidence[4]},
+    {0x01, 0x05, "", &cx5_45_evidence[5]},       {0x01, 0x06, "", &cx5_45_evidence[1]},
+    {0x01, 0x07, "", &cx5_45_evidence[4]},       {0x01, 0x72, "WRA", &cx5_45_evidence[5]},
+    {0x01, 0x7E, "", &cx5_45_evidence[5]},       {0x0C, 0x01, "", &cx5_45_evidence[5]},
+    {0x0C, 0x02, "", &cx5_45_evidence[5]},       {0x0C, 0x03, "", &cx5_45_evidence[5]},
+    {0x0C, 0x06, "", &cx5_45_evidence[1]},       {0x0C, 0x07, "", &cx5_45_evidence[2]},
+    {0x0C, 0x08, "WRSLD", &cx5_45_evidence[1]},  {0x0C, 0x09, "WRSLD", &cx5_45_evidence[1]},
+    {0x0C, 0x0A, "WRSLD", &cx5_45_evidence[1]},  {0x0C, 0x0B, "", &cx5_45_evidence[1]},
+    {0x0C, 0x11, "WRSLD", &cx5_45_evidence[5]},  {0x0C, 0x21, "WRSLD", &cx5_45_evidence[5]},
+    {0x0C, 0x22, "WRSLD", &cx5_45_evidence[5]},  {0x0C, 0x23, "WRSLD", &cx5_45_evidence[5]},
+    {0x0C, 0x24, "WR", &cx5_45_evidence[5]},     {0x0C, 0x30, "SLD", &cx5_45_evidence[1]},
+    {0x0C, 0x37, "WRSLDA", &cx5_45_evidence[5]}, {0x0C, 0x38, "WRSLDA", &cx5_45_evidence[5]},
+    {0x0C, 0x39, "", &cx5_45_evidence[2]},       {0x0C, 0x3A, "WRSLDA", &cx5_45_evidence[5]},
+    {0x0C, 0x3B, "WRSLDA", &cx5_45_evidence[5]}, {0x0C, 0x3E, "WRSLD", &cx5_45_evidence[5]},
+    {0x0C, 0x40, "WRSLD", &cx5_45_evidence[5]},  {0x0C, 0x50, "WRSLD", &cx5_45_evidence[5]},
+    {0x0C, 0x51, "WRSLD", &cx5_45_evidence[5]},  {0x0C, 0x64, "", &cx5_45_evidence[5]},
+    {0x0D, 0x01, "", &cx5_45_evidence[1]},       {0x0D, 0x02, "", &cx5_45_evidence[5]},
+    {0x0D, 0x03, "", &cx5_45_evidence[5]},       {0x0D, 0x10, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x11, "WRSLD", &cx5_45_evidence[1]},  {0x0D, 0x12, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x13, "WRSLD", &cx5_45_evidence[1]},  {0x0D, 0x14, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x15, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x16, "", &cx5_45_evidence[5]},
+    {0x0D, 0x17, "", &cx5_45_evidence[5]},       {0x0D, 0x18, "WRSLD", &cx5_45_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &cx5_45_evidence[1]},  {0x0D, 0x1A, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x1B, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x1C, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x1D, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x1E, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x1F, "", &cx5_45_evidence[5]},       {0x0D, 0x20, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x21, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x22, "", &cx5_45_evidence[5]},
+    {0x0D, 0x23, "", &cx5_45_evidence[5]},       {0x0D, 0x27, "WS", &cx5_45_evidence[5]},
+    {0x0D, 0x28, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x29, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x2B, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x2C, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x42, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x43, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x44, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x45, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x46, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x47, "WRSLD", &cx5_45_evidence[5]},
+    {0x0D, 0x4B, "WRSLD", &cx5_45_evidence[5]},  {0x0D, 0x53, "WRSLD", &cx5_45_evidence[5]},
+    {0x7F, 0x10, "WRSLD", &cx5_45_evidence[5]},  {0x80, 0x04, "", &cx5_45_evidence[0]},
+    {0x80, 0x05, "", &cx5_45_evidence[0]},       {0x80, 0x06, "", &cx5_45_evidence[0]},
+    {0x80, 0x07, "", &cx5_45_evidence[5]},       {0x80, 0x08, "", &cx5_45_evidence[5]},
+    {0x80, 0x09, "", &cx5_45_evidence[5]},       {0x80, 0x0A, "", &cx5_45_evidence[3]},
+    {0x80, 0x0C, "", &cx5_45_evidence[5]},       {0x80, 0x10, "", &cx5_45_evidence[5]},
+    {0x80, 0x11, "", &cx5_45_evidence[5]},       {0x80, 0x12, "", &cx5_45_evidence[1]},
+    {0x80, 0x17, "", &cx5_45_evidence[3]},       {0x81, 0x03, "", &cx5_45_evidence[3]},
+    {0x81, 0x04, "", &cx5_45_evidence[5]},       {0x81, 0x05, "", &cx5_45_evidence[3]},
+    {0x81, 0x06, "", &cx5_45_evidence[5]},       {0x81, 0x07, "", &cx5_45_evidence[3]},
+    {0x81, 0x08, "", &cx5_45_evidence[5]},       {0x81, 0x09, "", &cx5_45_evidence[5]},
+    {0x81, 0x0A, "", &cx5_45_evidence[5]},       {0x81, 0x0B, "", &cx5_45_evidence[1]},
+    {0x81, 0x0C, "", &cx5_45_evidence[5]},       {0x81, 0x0D, "", &cx5_45_evidence[5]},
+    {0x81, 0x0E, "", &cx5_45_evidence[5]},       {0x81, 0x0F, "", &cx5_45_evidence[5]},
+    {0x82, 0x01, "", &cx5_45_evidence[1]},       {0x82, 0x02, "", &cx5_45_evidence[1]},
+    {0x82, 0x03, "", &cx5_45_evidence[3]},       {0x82, 0x04, "", &cx5_45_evidence[5]},
+    {0x82, 0x05, "", &cx5_45_evidence[1]},       {0x82, 0x06, "", &cx5_45_evidence[6]},
+    {0x82, 0x07, "", &cx5_45_evidence[6]},       {0x82, 0x08, "", &cx5_45_evidence[6]},
+    {0x82, 0x09, "", &cx5_45_evidence[6]},       {0x82, 0x0A, "", &cx5_45_evidence[6]},
+    {0x82, 0x0B, "", &cx5_45_evidence[6]},       {0x82, 0x0C, "", &cx5_45_evidence[6]},
+    {0x82, 0x0D, "", &cx5_45_evidence[6]},       {0x82, 0x0E, "", &cx5_45_evidence[5]},
+    {0x82, 0x0F, "", &cx5_45_evidence[6]},       {0x82, 0x10, "", &cx5_45_evidence[1]},
+    {0x82, 0x11, "", &cx5_45_evidence[1]},       {0x82, 0x12, "", &cx5_45_evidence[6]},
+    {0x82, 0x13, "", &cx5_45_evidence[6]},       {0x82, 0x14, "", &cx5_45_evidence[5]},
+    {0x82, 0x15, "", &cx5_45_evidence[6]},       {0x82, 0x1C, "", &cx5_45_evidence[6]},
+    {0x82, 0x20, "", &cx5_45_evidence[6]},       {0x82, 0x21, "", &cx5_45_evidence[6]},
+    {0x82, 0x25, "", &cx5_45_evidence[6]},       {0x82, 0x26, "", &cx5_45_evidence[6]},
+    {0x82, 0x28, "", &cx5_45_evidence[6]},       {0x82, 0x29, "", &cx5_45_evidence[6]},
 };
 
 static const struct mip_profile_note cx5_45_notes[] = {
@@ -2943,93 +2325,50 @@ static const struct mip_profile_evidence cx7_ahrs_evidence[] = {
 };
 
 static const struct mip_profile_field cx7_ahrs_fields[] = {
-    {0x01, 0x01, "", &cx7_ahrs_evidence[2]},       /* base.ping */
-    {0x01, 0x02, "", &cx7_ahrs_evidence[2]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx7_ahrs_evidence[2]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx7_ahrs_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx7_ahrs_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx7_ahrs_evidence[2]},       /* base.resume */
-    {0x01, 0x07, "", &cx7_ahrs_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cx7_ahrs_evidence[3]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cx7_ahrs_evidence[3]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cx7_ahrs_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx7_ahrs_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &cx7_ahrs_evidence[3]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cx7_ahrs_evidence[2]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cx7_ahrs_evidence[2]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &cx7_ahrs_evidence[3]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cx7_ahrs_evidence[0]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cx7_ahrs_evidence[2]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx7_ahrs_evidence[3]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx7_ahrs_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cx7_ahrs_evidence[0]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cx7_ahrs_evidence[3]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cx7_ahrs_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cx7_ahrs_evidence[3]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cx7_ahrs_evidence[3]},       /* filter.reset */
-    {0x0D, 0x03, "", &cx7_ahrs_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cx7_ahrs_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &cx7_ahrs_evidence[0]},  /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &cx7_ahrs_evidence[3]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cx7_ahrs_evidence[3]},  /* aiding.echo_control */
-    {0x13, 0x31, "", &cx7_ahrs_evidence[3]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &cx7_ahrs_evidence[3]},       /* aiding.magnetic_field */
-    {0x80, 0x04, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx7_ahrs_evidence[3]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx7_ahrs_evidence[3]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx7_ahrs_evidence[1]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cx7_ahrs_evidence[3]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cx7_ahrs_evidence[1]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cx7_ahrs_evidence[3]},       /* sensor.overrange_status */
-    {0x82, 0x03, "", &cx7_ahrs_evidence[1]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx7_ahrs_evidence[3]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx7_ahrs_evidence[1]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx7_ahrs_evidence[1]},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cx7_ahrs_evidence[1]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx7_ahrs_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cx7_ahrs_evidence[1]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx7_ahrs_evidence[1]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cx7_ahrs_evidence[1]},       /* filter_data.status */
-    {0x82, 0x12, "", &cx7_ahrs_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx7_ahrs_evidence[1]},       /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &cx7_ahrs_evidence[1]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cx7_ahrs_evidence[1]},       /* filter_data.pressure_altitude */
-    {0xA0, 0x01, "", &cx7_ahrs_evidence[3]},       /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cx7_ahrs_evidence[1]},       /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cx7_ahrs_evidence[1]},       /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cx7_ahrs_evidence[3]},       /* shared.event_source */
-    {0xFF, 0xD3, "", &cx7_ahrs_evidence[1]},       /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cx7_ahrs_evidence[3]},       /* shared.delta_time */
-    {0xFF, 0xD5, "", &cx7_ahrs_evidence[1]},       /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cx7_ahrs_evidence[3]},       /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cx7_ahrs_evidence[1]},       /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cx7_ahrs_evidence[3]},       /* shared.external_time_delta */
+    {0x01, 0x01, "", &cx7_ahrs_evidence[2]},       {0x01, 0x02, "", &cx7_ahrs_evidence[2]},
+    {0x01, 0x03, "", &cx7_ahrs_evidence[2]},       {0x01, 0x04, "", &cx7_ahrs_evidence[2]},
+    {0x01, 0x05, "", &cx7_ahrs_evidence[3]},       {0x01, 0x06, "", &cx7_ahrs_evidence[2]},
+    {0x01, 0x07, "", &cx7_ahrs_evidence[2]},       {0x01, 0x08, "", &cx7_ahrs_evidence[3]},
+    {0x01, 0x09, "WRSLD", &cx7_ahrs_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ahrs_evidence[3]},
+    {0x01, 0x7E, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x0D, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x0E, "", &cx7_ahrs_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x10, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x28, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x2A, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x2C, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x2D, "", &cx7_ahrs_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ahrs_evidence[2]},
+    {0x0C, 0x31, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x33, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ahrs_evidence[3]}, {0x0C, 0x39, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &cx7_ahrs_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x41, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x52, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0C, 0x53, "", &cx7_ahrs_evidence[3]},
+    {0x0C, 0x54, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x01, "", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x03, "", &cx7_ahrs_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x20, "WRSLD", &cx7_ahrs_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &cx7_ahrs_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ahrs_evidence[0]},
+    {0x0D, 0x53, "WRSLD", &cx7_ahrs_evidence[0]},  {0x13, 0x01, "WRSLD", &cx7_ahrs_evidence[3]},
+    {0x13, 0x1F, "WRSLD", &cx7_ahrs_evidence[3]},  {0x13, 0x31, "", &cx7_ahrs_evidence[3]},
+    {0x13, 0x32, "", &cx7_ahrs_evidence[3]},       {0x80, 0x04, "", &cx7_ahrs_evidence[1]},
+    {0x80, 0x05, "", &cx7_ahrs_evidence[1]},       {0x80, 0x06, "", &cx7_ahrs_evidence[1]},
+    {0x80, 0x07, "", &cx7_ahrs_evidence[3]},       {0x80, 0x08, "", &cx7_ahrs_evidence[3]},
+    {0x80, 0x09, "", &cx7_ahrs_evidence[1]},       {0x80, 0x0A, "", &cx7_ahrs_evidence[1]},
+    {0x80, 0x0C, "", &cx7_ahrs_evidence[1]},       {0x80, 0x14, "", &cx7_ahrs_evidence[3]},
+    {0x80, 0x17, "", &cx7_ahrs_evidence[1]},       {0x80, 0x18, "", &cx7_ahrs_evidence[3]},
+    {0x82, 0x03, "", &cx7_ahrs_evidence[1]},       {0x82, 0x04, "", &cx7_ahrs_evidence[3]},
+    {0x82, 0x05, "", &cx7_ahrs_evidence[1]},       {0x82, 0x06, "", &cx7_ahrs_evidence[1]},
+    {0x82, 0x0A, "", &cx7_ahrs_evidence[1]},       {0x82, 0x0B, "", &cx7_ahrs_evidence[1]},
+    {0x82, 0x0D, "", &cx7_ahrs_evidence[1]},       {0x82, 0x0E, "", &cx7_ahrs_evidence[1]},
+    {0x82, 0x10, "", &cx7_ahrs_evidence[1]},       {0x82, 0x12, "", &cx7_ahrs_evidence[1]},
+    {0x82, 0x13, "", &cx7_ahrs_evidence[1]},       {0x82, 0x1C, "", &cx7_ahrs_evidence[1]},
+    {0x82, 0x21, "", &cx7_ahrs_evidence[1]},       {0xA0, 0x01, "", &cx7_ahrs_evidence[3]},
+    {0xA0, 0x02, "", &cx7_ahrs_evidence[1]},       {0xA0, 0x03, "", &cx7_ahrs_evidence[1]},
+    {0xFF, 0xD0, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD3, "", &cx7_ahrs_evidence[1]},
+    {0xFF, 0xD4, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD5, "", &cx7_ahrs_evidence[1]},
+    {0xFF, 0xD6, "", &cx7_ahrs_evidence[3]},       {0xFF, 0xD7, "", &cx7_ahrs_evidence[1]},
+    {0xFF, 0xD8, "", &cx7_ahrs_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ahrs_ports[] = {
@@ -3129,93 +2468,50 @@ static const struct mip_profile_evidence cx7_ar_evidence[] = {
 };
 
 static const struct mip_profile_field cx7_ar_fields[] = {
-    {0x01, 0x01, "", &cx7_ar_evidence[2]},       /* base.ping */
-    {0x01, 0x02, "", &cx7_ar_evidence[2]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx7_ar_evidence[2]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx7_ar_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx7_ar_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx7_ar_evidence[2]},       /* base.resume */
-    {0x01, 0x07, "", &cx7_ar_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cx7_ar_evidence[3]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cx7_ar_evidence[3]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cx7_ar_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx7_ar_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &cx7_ar_evidence[3]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cx7_ar_evidence[2]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cx7_ar_evidence[2]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &cx7_ar_evidence[3]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cx7_ar_evidence[0]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cx7_ar_evidence[3]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cx7_ar_evidence[2]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx7_ar_evidence[3]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx7_ar_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cx7_ar_evidence[0]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cx7_ar_evidence[3]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cx7_ar_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cx7_ar_evidence[3]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cx7_ar_evidence[3]},       /* filter.reset */
-    {0x0D, 0x03, "", &cx7_ar_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &cx7_ar_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &cx7_ar_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cx7_ar_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cx7_ar_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cx7_ar_evidence[0]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &cx7_ar_evidence[0]},  /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &cx7_ar_evidence[3]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cx7_ar_evidence[3]},  /* aiding.echo_control */
-    {0x13, 0x31, "", &cx7_ar_evidence[3]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &cx7_ar_evidence[3]},       /* aiding.magnetic_field */
-    {0x80, 0x04, "", &cx7_ar_evidence[1]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx7_ar_evidence[1]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx7_ar_evidence[1]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx7_ar_evidence[3]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx7_ar_evidence[3]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx7_ar_evidence[1]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx7_ar_evidence[1]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx7_ar_evidence[1]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cx7_ar_evidence[3]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cx7_ar_evidence[1]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cx7_ar_evidence[3]},       /* sensor.overrange_status */
-    {0x82, 0x03, "", &cx7_ar_evidence[1]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx7_ar_evidence[3]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx7_ar_evidence[1]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx7_ar_evidence[1]},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &cx7_ar_evidence[1]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx7_ar_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &cx7_ar_evidence[1]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx7_ar_evidence[1]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cx7_ar_evidence[1]},       /* filter_data.status */
-    {0x82, 0x12, "", &cx7_ar_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx7_ar_evidence[1]},       /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &cx7_ar_evidence[1]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cx7_ar_evidence[1]},       /* filter_data.pressure_altitude */
-    {0xA0, 0x01, "", &cx7_ar_evidence[3]},       /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cx7_ar_evidence[1]},       /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cx7_ar_evidence[1]},       /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cx7_ar_evidence[3]},       /* shared.event_source */
-    {0xFF, 0xD3, "", &cx7_ar_evidence[1]},       /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cx7_ar_evidence[3]},       /* shared.delta_time */
-    {0xFF, 0xD5, "", &cx7_ar_evidence[1]},       /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cx7_ar_evidence[3]},       /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cx7_ar_evidence[1]},       /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cx7_ar_evidence[3]},       /* shared.external_time_delta */
+    {0x01, 0x01, "", &cx7_ar_evidence[2]},       {0x01, 0x02, "", &cx7_ar_evidence[2]},
+    {0x01, 0x03, "", &cx7_ar_evidence[2]},       {0x01, 0x04, "", &cx7_ar_evidence[2]},
+    {0x01, 0x05, "", &cx7_ar_evidence[3]},       {0x01, 0x06, "", &cx7_ar_evidence[2]},
+    {0x01, 0x07, "", &cx7_ar_evidence[2]},       {0x01, 0x08, "", &cx7_ar_evidence[3]},
+    {0x01, 0x09, "WRSLD", &cx7_ar_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ar_evidence[3]},
+    {0x01, 0x7E, "", &cx7_ar_evidence[3]},       {0x0C, 0x0D, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x0E, "", &cx7_ar_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x10, "", &cx7_ar_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0C, 0x28, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x2A, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x2C, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x2D, "", &cx7_ar_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ar_evidence[2]},
+    {0x0C, 0x31, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0C, 0x33, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ar_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ar_evidence[3]}, {0x0C, 0x39, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &cx7_ar_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ar_evidence[3]},
+    {0x0C, 0x41, "WRSLD", &cx7_ar_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ar_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0C, 0x52, "WRSLD", &cx7_ar_evidence[3]},  {0x0C, 0x53, "", &cx7_ar_evidence[3]},
+    {0x0C, 0x54, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x01, "", &cx7_ar_evidence[3]},
+    {0x0D, 0x03, "", &cx7_ar_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x1D, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0D, 0x20, "WRSLD", &cx7_ar_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ar_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &cx7_ar_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ar_evidence[0]},
+    {0x0D, 0x53, "WRSLD", &cx7_ar_evidence[0]},  {0x13, 0x01, "WRSLD", &cx7_ar_evidence[3]},
+    {0x13, 0x1F, "WRSLD", &cx7_ar_evidence[3]},  {0x13, 0x31, "", &cx7_ar_evidence[3]},
+    {0x13, 0x32, "", &cx7_ar_evidence[3]},       {0x80, 0x04, "", &cx7_ar_evidence[1]},
+    {0x80, 0x05, "", &cx7_ar_evidence[1]},       {0x80, 0x06, "", &cx7_ar_evidence[1]},
+    {0x80, 0x07, "", &cx7_ar_evidence[3]},       {0x80, 0x08, "", &cx7_ar_evidence[3]},
+    {0x80, 0x09, "", &cx7_ar_evidence[1]},       {0x80, 0x0A, "", &cx7_ar_evidence[1]},
+    {0x80, 0x0C, "", &cx7_ar_evidence[1]},       {0x80, 0x14, "", &cx7_ar_evidence[3]},
+    {0x80, 0x17, "", &cx7_ar_evidence[1]},       {0x80, 0x18, "", &cx7_ar_evidence[3]},
+    {0x82, 0x03, "", &cx7_ar_evidence[1]},       {0x82, 0x04, "", &cx7_ar_evidence[3]},
+    {0x82, 0x05, "", &cx7_ar_evidence[1]},       {0x82, 0x06, "", &cx7_ar_evidence[1]},
+    {0x82, 0x0A, "", &cx7_ar_evidence[1]},       {0x82, 0x0B, "", &cx7_ar_evidence[1]},
+    {0x82, 0x0D, "", &cx7_ar_evidence[1]},       {0x82, 0x0E, "", &cx7_ar_evidence[1]},
+    {0x82, 0x10, "", &cx7_ar_evidence[1]},       {0x82, 0x12, "", &cx7_ar_evidence[1]},
+    {0x82, 0x13, "", &cx7_ar_evidence[1]},       {0x82, 0x1C, "", &cx7_ar_evidence[1]},
+    {0x82, 0x21, "", &cx7_ar_evidence[1]},       {0xA0, 0x01, "", &cx7_ar_evidence[3]},
+    {0xA0, 0x02, "", &cx7_ar_evidence[1]},       {0xA0, 0x03, "", &cx7_ar_evidence[1]},
+    {0xFF, 0xD0, "", &cx7_ar_evidence[3]},       {0xFF, 0xD3, "", &cx7_ar_evidence[1]},
+    {0xFF, 0xD4, "", &cx7_ar_evidence[3]},       {0xFF, 0xD5, "", &cx7_ar_evidence[1]},
+    {0xFF, 0xD6, "", &cx7_ar_evidence[3]},       {0xFF, 0xD7, "", &cx7_ar_evidence[1]},
+    {0xFF, 0xD8, "", &cx7_ar_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ar_ports[] = {
@@ -3315,132 +2611,69 @@ static const struct mip_profile_evidence cx7_ins_evidence[] = {
 };
 
 static const struct mip_profile_field cx7_ins_fields[] = {
-    {0x01, 0x01, "", &cx7_ins_evidence[2]},       /* base.ping */
-    {0x01, 0x02, "", &cx7_ins_evidence[2]},       /* base.set_idle */
-    {0x01, 0x03, "", &cx7_ins_evidence[2]},       /* base.get_device_info */
-    {0x01, 0x04, "", &cx7_ins_evidence[2]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &cx7_ins_evidence[3]},       /* base.built_in_test */
-    {0x01, 0x06, "", &cx7_ins_evidence[2]},       /* base.resume */
-    {0x01, 0x07, "", &cx7_ins_evidence[2]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &cx7_ins_evidence[3]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &cx7_ins_evidence[3]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &cx7_ins_evidence[3]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &cx7_ins_evidence[3]},       /* base.soft_reset */
-    {0x0C, 0x04, "", &cx7_ins_evidence[3]},       /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", &cx7_ins_evidence[3]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &cx7_ins_evidence[2]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &cx7_ins_evidence[2]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &cx7_ins_evidence[3]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &cx7_ins_evidence[0]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &cx7_ins_evidence[3]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &cx7_ins_evidence[2]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &cx7_ins_evidence[3]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &cx7_ins_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &cx7_ins_evidence[0]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &cx7_ins_evidence[3]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &cx7_ins_evidence[3]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &cx7_ins_evidence[3]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &cx7_ins_evidence[3]},       /* filter.reset */
-    {0x0D, 0x03, "", &cx7_ins_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x05, "", &cx7_ins_evidence[3]},       /* filter.run */
-    {0x0D, 0x13, "WRSLD", &cx7_ins_evidence[3]},  /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gnss_source */
-    {0x0D, 0x17, "", &cx7_ins_evidence[3]},       /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", &cx7_ins_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &cx7_ins_evidence[3]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &cx7_ins_evidence[3]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &cx7_ins_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &cx7_ins_evidence[3]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &cx7_ins_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &cx7_ins_evidence[0]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", &cx7_ins_evidence[3]},  /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", &cx7_ins_evidence[0]},  /* filter.adaptive_filter_options */
-    {0x0D, 0x55, "WRSLD", &cx7_ins_evidence[3]},  /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", &cx7_ins_evidence[3]},  /* filter.reference_point_lever_arm */
-    {0x13, 0x01, "WRSLD", &cx7_ins_evidence[3]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &cx7_ins_evidence[3]},  /* aiding.echo_control */
-    {0x13, 0x21, "", &cx7_ins_evidence[3]},       /* aiding.ecef_position */
-    {0x13, 0x22, "", &cx7_ins_evidence[3]},       /* aiding.llh_position */
-    {0x13, 0x23, "", &cx7_ins_evidence[3]},       /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", &cx7_ins_evidence[3]},       /* aiding.ecef_velocity */
-    {0x13, 0x29, "", &cx7_ins_evidence[3]},       /* aiding.ned_velocity */
-    {0x13, 0x2A, "", &cx7_ins_evidence[3]},       /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", &cx7_ins_evidence[3]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &cx7_ins_evidence[3]},       /* aiding.magnetic_field */
-    {0x13, 0x33, "", &cx7_ins_evidence[3]},       /* aiding.pressure */
-    {0x80, 0x04, "", &cx7_ins_evidence[1]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &cx7_ins_evidence[1]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &cx7_ins_evidence[1]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &cx7_ins_evidence[3]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &cx7_ins_evidence[3]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &cx7_ins_evidence[1]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &cx7_ins_evidence[1]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &cx7_ins_evidence[1]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &cx7_ins_evidence[3]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &cx7_ins_evidence[1]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &cx7_ins_evidence[3]},       /* sensor.overrange_status */
-    {0x82, 0x01, "", &cx7_ins_evidence[3]},       /* filter_data.llh_position */
-    {0x82, 0x02, "", &cx7_ins_evidence[3]},       /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &cx7_ins_evidence[1]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &cx7_ins_evidence[3]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &cx7_ins_evidence[1]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &cx7_ins_evidence[1]},       /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &cx7_ins_evidence[1]},       /* filter_data.accel_bias */
-    {0x82, 0x08, "", &cx7_ins_evidence[3]},       /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &cx7_ins_evidence[3]},       /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &cx7_ins_evidence[1]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &cx7_ins_evidence[1]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &cx7_ins_evidence[1]},       /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &cx7_ins_evidence[1]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &cx7_ins_evidence[1]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &cx7_ins_evidence[1]},       /* filter_data.status */
-    {0x82, 0x12, "", &cx7_ins_evidence[1]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &cx7_ins_evidence[1]},       /* filter_data.gravity_vector */
-    {0x82, 0x15, "", &cx7_ins_evidence[3]},       /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &cx7_ins_evidence[1]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &cx7_ins_evidence[1]},       /* filter_data.pressure_altitude */
-    {0x82, 0x36, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_position */
-    {0x82, 0x41, "", &cx7_ins_evidence[3]},       /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", &cx7_ins_evidence[3]},       /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", &cx7_ins_evidence[3]},       /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", &cx7_ins_evidence[3]},       /* filter_data.aiding_measurement_summary */
-    {0x82, 0x50, "", &cx7_ins_evidence[3]},       /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "", &cx7_ins_evidence[3]}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x94, 0x03, "", &cx7_ins_evidence[3]}, /* gnss_external.llh_position */
-    {0x94, 0x05, "", &cx7_ins_evidence[3]}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, "", &cx7_ins_evidence[3]}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", &cx7_ins_evidence[3]}, /* gnss_external.fix_info */
-    {0x94, 0x20, "", &cx7_ins_evidence[3]}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", &cx7_ins_evidence[3]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &cx7_ins_evidence[1]}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &cx7_ins_evidence[1]}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &cx7_ins_evidence[3]}, /* shared.event_source */
-    {0xFF, 0xD3, "", &cx7_ins_evidence[1]}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &cx7_ins_evidence[3]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &cx7_ins_evidence[1]}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &cx7_ins_evidence[3]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &cx7_ins_evidence[1]}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &cx7_ins_evidence[3]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &cx7_ins_evidence[2]},       {0x01, 0x02, "", &cx7_ins_evidence[2]},
+    {0x01, 0x03, "", &cx7_ins_evidence[2]},       {0x01, 0x04, "", &cx7_ins_evidence[2]},
+    {0x01, 0x05, "", &cx7_ins_evidence[3]},       {0x01, 0x06, "", &cx7_ins_evidence[2]},
+    {0x01, 0x07, "", &cx7_ins_evidence[2]},       {0x01, 0x08, "", &cx7_ins_evidence[3]},
+    {0x01, 0x09, "WRSLD", &cx7_ins_evidence[3]},  {0x01, 0x72, "WRA", &cx7_ins_evidence[3]},
+    {0x01, 0x7E, "", &cx7_ins_evidence[3]},       {0x0C, 0x04, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x0C, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x0D, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x0E, "", &cx7_ins_evidence[2]},       {0x0C, 0x0F, "WRSLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x10, "", &cx7_ins_evidence[3]},       {0x0C, 0x11, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0C, 0x28, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x2A, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x2B, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x2C, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x2D, "", &cx7_ins_evidence[3]},       {0x0C, 0x2E, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0C, 0x2F, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x30, "SLD", &cx7_ins_evidence[2]},
+    {0x0C, 0x31, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x32, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0C, 0x33, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x37, "WRSLDA", &cx7_ins_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &cx7_ins_evidence[3]}, {0x0C, 0x39, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &cx7_ins_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &cx7_ins_evidence[3]},
+    {0x0C, 0x41, "WRSLD", &cx7_ins_evidence[0]},  {0x0C, 0x42, "WR", &cx7_ins_evidence[3]},
+    {0x0C, 0x50, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x51, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0C, 0x52, "WRSLD", &cx7_ins_evidence[3]},  {0x0C, 0x53, "", &cx7_ins_evidence[3]},
+    {0x0C, 0x54, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x01, "", &cx7_ins_evidence[3]},
+    {0x0D, 0x03, "", &cx7_ins_evidence[3]},       {0x0D, 0x05, "", &cx7_ins_evidence[3]},
+    {0x0D, 0x13, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x15, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0D, 0x17, "", &cx7_ins_evidence[3]},       {0x0D, 0x1A, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x1C, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0D, 0x1D, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x1F, "", &cx7_ins_evidence[3]},
+    {0x0D, 0x20, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x28, "WRSLD", &cx7_ins_evidence[3]},
+    {0x0D, 0x43, "WRSLD", &cx7_ins_evidence[0]},  {0x0D, 0x50, "WRSLD", &cx7_ins_evidence[0]},
+    {0x0D, 0x52, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x53, "WRSLD", &cx7_ins_evidence[0]},
+    {0x0D, 0x55, "WRSLD", &cx7_ins_evidence[3]},  {0x0D, 0x56, "WRSLD", &cx7_ins_evidence[3]},
+    {0x13, 0x01, "WRSLD", &cx7_ins_evidence[3]},  {0x13, 0x1F, "WRSLD", &cx7_ins_evidence[3]},
+    {0x13, 0x21, "", &cx7_ins_evidence[3]},       {0x13, 0x22, "", &cx7_ins_evidence[3]},
+    {0x13, 0x23, "", &cx7_ins_evidence[3]},       {0x13, 0x28, "", &cx7_ins_evidence[3]},
+    {0x13, 0x29, "", &cx7_ins_evidence[3]},       {0x13, 0x2A, "", &cx7_ins_evidence[3]},
+    {0x13, 0x31, "", &cx7_ins_evidence[3]},       {0x13, 0x32, "", &cx7_ins_evidence[3]},
+    {0x13, 0x33, "", &cx7_ins_evidence[3]},       {0x80, 0x04, "", &cx7_ins_evidence[1]},
+    {0x80, 0x05, "", &cx7_ins_evidence[1]},       {0x80, 0x06, "", &cx7_ins_evidence[1]},
+    {0x80, 0x07, "", &cx7_ins_evidence[3]},       {0x80, 0x08, "", &cx7_ins_evidence[3]},
+    {0x80, 0x09, "", &cx7_ins_evidence[1]},       {0x80, 0x0A, "", &cx7_ins_evidence[1]},
+    {0x80, 0x0C, "", &cx7_ins_evidence[1]},       {0x80, 0x14, "", &cx7_ins_evidence[3]},
+    {0x80, 0x17, "", &cx7_ins_evidence[1]},       {0x80, 0x18, "", &cx7_ins_evidence[3]},
+    {0x82, 0x01, "", &cx7_ins_evidence[3]},       {0x82, 0x02, "", &cx7_ins_evidence[3]},
+    {0x82, 0x03, "", &cx7_ins_evidence[1]},       {0x82, 0x04, "", &cx7_ins_evidence[3]},
+    {0x82, 0x05, "", &cx7_ins_evidence[1]},       {0x82, 0x06, "", &cx7_ins_evidence[1]},
+    {0x82, 0x07, "", &cx7_ins_evidence[1]},       {0x82, 0x08, "", &cx7_ins_evidence[3]},
+    {0x82, 0x09, "", &cx7_ins_evidence[3]},       {0x82, 0x0A, "", &cx7_ins_evidence[1]},
+    {0x82, 0x0B, "", &cx7_ins_evidence[1]},       {0x82, 0x0C, "", &cx7_ins_evidence[1]},
+    {0x82, 0x0D, "", &cx7_ins_evidence[1]},       {0x82, 0x0E, "", &cx7_ins_evidence[1]},
+    {0x82, 0x10, "", &cx7_ins_evidence[1]},       {0x82, 0x12, "", &cx7_ins_evidence[1]},
+    {0x82, 0x13, "", &cx7_ins_evidence[1]},       {0x82, 0x15, "", &cx7_ins_evidence[3]},
+    {0x82, 0x1C, "", &cx7_ins_evidence[1]},       {0x82, 0x21, "", &cx7_ins_evidence[1]},
+    {0x82, 0x36, "", &cx7_ins_evidence[3]},       {0x82, 0x37, "", &cx7_ins_evidence[3]},
+    {0x82, 0x40, "", &cx7_ins_evidence[3]},       {0x82, 0x41, "", &cx7_ins_evidence[3]},
+    {0x82, 0x42, "", &cx7_ins_evidence[3]},       {0x82, 0x43, "", &cx7_ins_evidence[3]},
+    {0x82, 0x46, "", &cx7_ins_evidence[3]},       {0x82, 0x50, "", &cx7_ins_evidence[3]},
+    {0x82, 0x51, "", &cx7_ins_evidence[3]},       {0x94, 0x03, "", &cx7_ins_evidence[3]},
+    {0x94, 0x05, "", &cx7_ins_evidence[3]},       {0x94, 0x08, "", &cx7_ins_evidence[3]},
+    {0x94, 0x0B, "", &cx7_ins_evidence[3]},       {0x94, 0x20, "", &cx7_ins_evidence[3]},
+    {0xA0, 0x01, "", &cx7_ins_evidence[3]},       {0xA0, 0x02, "", &cx7_ins_evidence[1]},
+    {0xA0, 0x03, "", &cx7_ins_evidence[1]},       {0xFF, 0xD0, "", &cx7_ins_evidence[3]},
+    {0xFF, 0xD3, "", &cx7_ins_evidence[1]},       {0xFF, 0xD4, "", &cx7_ins_evidence[3]},
+    {0xFF, 0xD5, "", &cx7_ins_evidence[1]},       {0xFF, 0xD6, "", &cx7_ins_evidence[3]},
+    {0xFF, 0xD7, "", &cx7_ins_evidence[1]},       {0xFF, 0xD8, "", &cx7_ins_evidence[3]},
 };
 
 static const struct mip_profile_port cx7_ins_ports[] = {
@@ -3538,12 +2771,9 @@ static const struct mip_profile_evidence dh3_evidence[] = {
 };
 
 static const struct mip_profile_field dh3_fields[] = {
-    {0x01, 0x01, "", &dh3_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &dh3_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &dh3_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &dh3_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", &dh3_evidence[0]},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", &dh3_evidence[0]}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &dh3_evidence[0]}, {0x01, 0x02, "", &dh3_evidence[0]},
+    {0x01, 0x03, "", &dh3_evidence[0]}, {0x01, 0x04, "", &dh3_evidence[0]},
+    {0x01, 0x06, "", &dh3_evidence[0]}, {0x0C, 0x11, "WRSLD", &dh3_evidence[0]},
 };
 
 static const struct mip_profile_reading dh3_readings[] = {
@@ -3594,79 +2824,41 @@ static const struct mip_profile_evidence gq4_45_evidence[] = {
 };
 
 static const struct mip_profile_field gq4_45_fields[] = {
-    {0x01, 0x01, "", &gq4_45_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gq4_45_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gq4_45_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gq4_45_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gq4_45_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gq4_45_evidence[0]},       /* base.resume */
-    {0x01, 0x72, "WRA", &gq4_45_evidence[0]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gq4_45_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gq4_45_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gq4_45_evidence[0]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &gq4_45_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gq4_45_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gq4_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gq4_45_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", &gq4_45_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x30, "SLD", &gq4_45_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gq4_45_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gq4_45_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gq4_45_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gq4_45_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gq4_45_evidence[1]},       /* filter.reset */
-    {0x0D, 0x02, "", &gq4_45_evidence[1]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gq4_45_evidence[1]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &gq4_45_evidence[1]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &gq4_45_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &gq4_45_evidence[1]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &gq4_45_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &gq4_45_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &gq4_45_evidence[1]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &gq4_45_evidence[1]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &gq4_45_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gq4_45_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gq4_45_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gq4_45_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &gq4_45_evidence[1]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &gq4_45_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &gq4_45_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gq4_45_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &gq4_45_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &gq4_45_evidence[1]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &gq4_45_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x42, "WRSLD", &gq4_45_evidence[1]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &gq4_45_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &gq4_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gq4_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &gq4_45_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &gq4_45_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gq4_45_evidence[1]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gq4_45_evidence[1]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gq4_45_evidence[1]},      /* sensor.scaled_mag */
-    {0x81, 0x03, "", &gq4_45_evidence[1]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &gq4_45_evidence[1]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &gq4_45_evidence[1]},      /* gnss_data.gps_time */
-    {0x82, 0x01, "", &gq4_45_evidence[1]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gq4_45_evidence[1]},      /* filter_data.ned_velocity */
-    {0x82, 0x05, "", &gq4_45_evidence[1]},      /* filter_data.euler_angles */
+    {0x01, 0x01, "", &gq4_45_evidence[0]},       {0x01, 0x02, "", &gq4_45_evidence[0]},
+    {0x01, 0x03, "", &gq4_45_evidence[0]},       {0x01, 0x04, "", &gq4_45_evidence[0]},
+    {0x01, 0x05, "", &gq4_45_evidence[0]},       {0x01, 0x06, "", &gq4_45_evidence[0]},
+    {0x01, 0x72, "WRA", &gq4_45_evidence[0]},    {0x01, 0x7E, "", &gq4_45_evidence[0]},
+    {0x0C, 0x01, "", &gq4_45_evidence[0]},       {0x0C, 0x02, "", &gq4_45_evidence[0]},
+    {0x0C, 0x03, "", &gq4_45_evidence[0]},       {0x0C, 0x06, "", &gq4_45_evidence[0]},
+    {0x0C, 0x07, "", &gq4_45_evidence[0]},       {0x0C, 0x08, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x09, "WRSLD", &gq4_45_evidence[0]},  {0x0C, 0x0A, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x0B, "", &gq4_45_evidence[0]},       {0x0C, 0x11, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x20, "", &gq4_45_evidence[0]},       {0x0C, 0x21, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x22, "WRSLD", &gq4_45_evidence[0]},  {0x0C, 0x30, "SLD", &gq4_45_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &gq4_45_evidence[0]}, {0x0C, 0x38, "WRSLDA", &gq4_45_evidence[0]},
+    {0x0C, 0x39, "", &gq4_45_evidence[0]},       {0x0C, 0x3A, "WRSLDA", &gq4_45_evidence[0]},
+    {0x0C, 0x3B, "WRSLDA", &gq4_45_evidence[0]}, {0x0C, 0x3E, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x40, "WRSLD", &gq4_45_evidence[0]},  {0x0C, 0x50, "WRSLD", &gq4_45_evidence[0]},
+    {0x0C, 0x51, "WRSLD", &gq4_45_evidence[0]},  {0x0C, 0x64, "", &gq4_45_evidence[0]},
+    {0x0D, 0x01, "", &gq4_45_evidence[1]},       {0x0D, 0x02, "", &gq4_45_evidence[1]},
+    {0x0D, 0x03, "", &gq4_45_evidence[1]},       {0x0D, 0x10, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x12, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x13, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x14, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x15, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x16, "", &gq4_45_evidence[1]},
+    {0x0D, 0x17, "", &gq4_45_evidence[1]},       {0x0D, 0x18, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x1A, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x1C, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x1D, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x1E, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x1F, "", &gq4_45_evidence[1]},       {0x0D, 0x20, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x22, "", &gq4_45_evidence[1]},
+    {0x0D, 0x23, "", &gq4_45_evidence[1]},       {0x0D, 0x42, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x43, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x44, "WRSLD", &gq4_45_evidence[1]},
+    {0x0D, 0x45, "WRSLD", &gq4_45_evidence[1]},  {0x0D, 0x46, "WRSLD", &gq4_45_evidence[1]},
+    {0x7F, 0x10, "WRSLD", &gq4_45_evidence[1]},  {0x80, 0x04, "", &gq4_45_evidence[1]},
+    {0x80, 0x05, "", &gq4_45_evidence[1]},       {0x80, 0x06, "", &gq4_45_evidence[1]},
+    {0x81, 0x03, "", &gq4_45_evidence[1]},       {0x81, 0x05, "", &gq4_45_evidence[1]},
+    {0x81, 0x09, "", &gq4_45_evidence[1]},       {0x82, 0x01, "", &gq4_45_evidence[1]},
+    {0x82, 0x02, "", &gq4_45_evidence[1]},       {0x82, 0x05, "", &gq4_45_evidence[1]},
 };
 
 static const struct mip_profile_note gq4_45_notes[] = {
@@ -3742,174 +2934,90 @@ static const struct mip_profile_evidence gq7_evidence[] = {
 };
 
 static const struct mip_profile_field gq7_fields[] = {
-    {0x01, 0x01, "", &gq7_evidence[4]},       /* base.ping */
-    {0x01, 0x02, "", &gq7_evidence[4]},       /* base.set_idle */
-    {0x01, 0x03, "", &gq7_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gq7_evidence[1]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gq7_evidence[7]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gq7_evidence[4]},       /* base.resume */
-    {0x01, 0x07, "", &gq7_evidence[1]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &gq7_evidence[7]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &gq7_evidence[1]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &gq7_evidence[7]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gq7_evidence[7]},       /* base.soft_reset */
-    {0x0C, 0x04, "", &gq7_evidence[2]},       /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", &gq7_evidence[5]},  /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", &gq7_evidence[7]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &gq7_evidence[1]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &gq7_evidence[4]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &gq7_evidence[5]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &gq7_evidence[7]},  /* 3dm.data_stream_control */
-    {0x0C, 0x22, "WRSLD", &gq7_evidence[5]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x28, "WRSLD", &gq7_evidence[5]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &gq7_evidence[7]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &gq7_evidence[7]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &gq7_evidence[7]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &gq7_evidence[7]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &gq7_evidence[4]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &gq7_evidence[2]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &gq7_evidence[7]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gq7_evidence[7]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gq7_evidence[2]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gq7_evidence[7]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gq7_evidence[7]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &gq7_evidence[5]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &gq7_evidence[0]},     /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD", &gq7_evidence[5]},  /* 3dm.odometer_config */
-    {0x0C, 0x50, "WRSLD", &gq7_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gq7_evidence[7]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &gq7_evidence[7]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &gq7_evidence[7]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &gq7_evidence[1]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &gq7_evidence[4]},       /* filter.reset */
-    {0x0D, 0x03, "", &gq7_evidence[7]},       /* filter.set_initial_heading */
-    {0x0D, 0x05, "", &gq7_evidence[2]},       /* filter.run */
-    {0x0D, 0x15, "WRSLD", &gq7_evidence[2]},  /* filter.gnss_source */
-    {0x0D, 0x17, "", &gq7_evidence[7]},       /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", &gq7_evidence[7]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gq7_evidence[7]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &gq7_evidence[7]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &gq7_evidence[7]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &gq7_evidence[2]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &gq7_evidence[7]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gq7_evidence[2]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &gq7_evidence[7]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &gq7_evidence[2]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &gq7_evidence[4]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", &gq7_evidence[2]},  /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", &gq7_evidence[5]},  /* filter.adaptive_filter_options */
-    {0x0D, 0x54, "WRSLD", &gq7_evidence[4]},  /* filter.multi_antenna_offset */
-    {0x0D, 0x55, "WRSLD", &gq7_evidence[5]},  /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", &gq7_evidence[5]},  /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD", &gq7_evidence[5]},  /* filter.speed_lever_arm */
-    {0x0D, 0x63, "WRSLD", &gq7_evidence[4]},  /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD", &gq7_evidence[2]},  /* filter.gnss_antenna_calibration_control */
-    {0x0E, 0x01, "", &gq7_evidence[7]},       /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD", &gq7_evidence[5]},  /* gnss.signal_config */
-    {0x0E, 0x10, "WRSLD", &gq7_evidence[5]},  /* gnss.rtk_dongle_config */
-    {0x13, 0x01, "WRSLD", &gq7_evidence[7]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &gq7_evidence[7]},  /* aiding.echo_control */
-    {0x13, 0x31, "", &gq7_evidence[7]},       /* aiding.true_heading */
-    {0x80, 0x04, "", &gq7_evidence[3]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gq7_evidence[3]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gq7_evidence[3]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gq7_evidence[3]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gq7_evidence[3]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gq7_evidence[7]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gq7_evidence[3]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gq7_evidence[7]},       /* sensor.comp_euler_angles */
-    {0x80, 0x12, "", &gq7_evidence[3]},       /* sensor.gps_timestamp */
-    {0x80, 0x14, "", &gq7_evidence[0]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &gq7_evidence[3]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &gq7_evidence[3]},       /* sensor.overrange_status */
-    {0x80, 0x40, "", &gq7_evidence[3]},       /* sensor.odometer */
-    {0x82, 0x01, "", &gq7_evidence[3]},       /* filter_data.llh_position */
-    {0x82, 0x02, "", &gq7_evidence[3]},       /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &gq7_evidence[3]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gq7_evidence[7]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gq7_evidence[3]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gq7_evidence[7]},       /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &gq7_evidence[7]},       /* filter_data.accel_bias */
-    {0x82, 0x08, "", &gq7_evidence[3]},       /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &gq7_evidence[3]},       /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &gq7_evidence[3]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gq7_evidence[7]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &gq7_evidence[7]},       /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &gq7_evidence[3]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gq7_evidence[3]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &gq7_evidence[3]},       /* filter_data.status */
-    {0x82, 0x12, "", &gq7_evidence[7]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gq7_evidence[7]},       /* filter_data.gravity_vector */
-    {0x82, 0x15, "", &gq7_evidence[7]},       /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &gq7_evidence[3]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gq7_evidence[7]},       /* filter_data.pressure_altitude */
-    {0x82, 0x34, "", &gq7_evidence[3]},       /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, "",
-     &gq7_evidence[7]}, /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, "", &gq7_evidence[3]}, /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &gq7_evidence[3]}, /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &gq7_evidence[3]}, /* filter_data.ecef_position */
-    {0x82, 0x41, "", &gq7_evidence[3]}, /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", &gq7_evidence[3]}, /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", &gq7_evidence[3]}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", &gq7_evidence[3]}, /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, "", &gq7_evidence[7]}, /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, "", &gq7_evidence[7]}, /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, "", &gq7_evidence[3]}, /* filter_data.gnss_dual_antenna_status */
-    {0x91, 0x03, "", &gq7_evidence[2]}, /* gnss_1.llh_position */
-    {0x91, 0x04, "", &gq7_evidence[3]}, /* gnss_1.ecef_position */
-    {0x91, 0x05, "", &gq7_evidence[3]}, /* gnss_1.ned_velocity */
-    {0x91, 0x06, "", &gq7_evidence[3]}, /* gnss_1.ecef_velocity */
-    {0x91, 0x07, "", &gq7_evidence[6]}, /* gnss_1.dop */
-    {0x91, 0x08, "", &gq7_evidence[7]}, /* gnss_1.utc_time */
-    {0x91, 0x09, "", &gq7_evidence[7]}, /* gnss_1.gps_time */
-    {0x91, 0x0B, "", &gq7_evidence[2]}, /* gnss_1.fix_info */
-    {0x91, 0x0D, "", &gq7_evidence[7]}, /* gnss_1.hardware_status */
-    {0x91, 0x10, "", &gq7_evidence[7]}, /* gnss_1.clock_info_2 */
-    {0x91, 0x11, "", &gq7_evidence[6]}, /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, "", &gq7_evidence[3]}, /* gnss_1.sbas_info */
-    {0x91, 0x14, "", &gq7_evidence[3]}, /* gnss_1.rf_error_detection */
-    {0x91, 0x20, "", &gq7_evidence[7]}, /* gnss_1.satellite_status */
-    {0x91, 0x22, "", &gq7_evidence[7]}, /* gnss_1.raw */
-    {0x91, 0x61, "", &gq7_evidence[7]}, /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, "", &gq7_evidence[7]}, /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, "", &gq7_evidence[7]}, /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, "", &gq7_evidence[7]}, /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, "", &gq7_evidence[3]}, /* gnss_2.llh_position */
-    {0x92, 0x04, "", &gq7_evidence[3]}, /* gnss_2.ecef_position */
-    {0x92, 0x05, "", &gq7_evidence[3]}, /* gnss_2.ned_velocity */
-    {0x92, 0x06, "", &gq7_evidence[3]}, /* gnss_2.ecef_velocity */
-    {0x92, 0x07, "", &gq7_evidence[6]}, /* gnss_2.dop */
-    {0x92, 0x08, "", &gq7_evidence[7]}, /* gnss_2.utc_time */
-    {0x92, 0x09, "", &gq7_evidence[7]}, /* gnss_2.gps_time */
-    {0x92, 0x0B, "", &gq7_evidence[4]}, /* gnss_2.fix_info */
-    {0x92, 0x0D, "", &gq7_evidence[2]}, /* gnss_2.hardware_status */
-    {0x92, 0x10, "", &gq7_evidence[7]}, /* gnss_2.clock_info_2 */
-    {0x92, 0x11, "", &gq7_evidence[6]}, /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, "", &gq7_evidence[3]}, /* gnss_2.sbas_info */
-    {0x92, 0x14, "", &gq7_evidence[3]}, /* gnss_2.rf_error_detection */
-    {0x92, 0x20, "", &gq7_evidence[7]}, /* gnss_2.satellite_status */
-    {0x92, 0x22, "", &gq7_evidence[7]}, /* gnss_2.raw */
-    {0x92, 0x61, "", &gq7_evidence[7]}, /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, "", &gq7_evidence[7]}, /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, "", &gq7_evidence[7]}, /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, "", &gq7_evidence[7]}, /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, "", &gq7_evidence[3]}, /* gnss_corrections.base_station_info */
-    {0x93, 0x31, "", &gq7_evidence[3]}, /* gnss_corrections.rtk_corrections_status */
-    {0xA0, 0x01, "", &gq7_evidence[0]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &gq7_evidence[7]}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &gq7_evidence[7]}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &gq7_evidence[7]}, /* shared.event_source */
-    {0xFF, 0xD3, "", &gq7_evidence[3]}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &gq7_evidence[7]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &gq7_evidence[7]}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &gq7_evidence[7]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &gq7_evidence[7]}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &gq7_evidence[7]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &gq7_evidence[4]},       {0x01, 0x02, "", &gq7_evidence[4]},
+    {0x01, 0x03, "", &gq7_evidence[0]},       {0x01, 0x04, "", &gq7_evidence[1]},
+    {0x01, 0x05, "", &gq7_evidence[7]},       {0x01, 0x06, "", &gq7_evidence[4]},
+    {0x01, 0x07, "", &gq7_evidence[1]},       {0x01, 0x08, "", &gq7_evidence[7]},
+    {0x01, 0x09, "WRSLD", &gq7_evidence[1]},  {0x01, 0x72, "WRA", &gq7_evidence[7]},
+    {0x01, 0x7E, "", &gq7_evidence[7]},       {0x0C, 0x04, "", &gq7_evidence[2]},
+    {0x0C, 0x0C, "WRSLD", &gq7_evidence[5]},  {0x0C, 0x0D, "", &gq7_evidence[7]},
+    {0x0C, 0x0E, "", &gq7_evidence[1]},       {0x0C, 0x0F, "WRSLD", &gq7_evidence[4]},
+    {0x0C, 0x10, "", &gq7_evidence[5]},       {0x0C, 0x11, "WRSLD", &gq7_evidence[7]},
+    {0x0C, 0x22, "WRSLD", &gq7_evidence[5]},  {0x0C, 0x28, "WRSLD", &gq7_evidence[5]},
+    {0x0C, 0x2A, "", &gq7_evidence[7]},       {0x0C, 0x2B, "WRSLD", &gq7_evidence[7]},
+    {0x0C, 0x2C, "", &gq7_evidence[7]},       {0x0C, 0x2D, "", &gq7_evidence[7]},
+    {0x0C, 0x2E, "WRSLD", &gq7_evidence[7]},  {0x0C, 0x2F, "WRSLD", &gq7_evidence[7]},
+    {0x0C, 0x30, "SLD", &gq7_evidence[4]},    {0x0C, 0x31, "WRSLD", &gq7_evidence[2]},
+    {0x0C, 0x32, "WRSLD", &gq7_evidence[7]},  {0x0C, 0x33, "WRSLD", &gq7_evidence[7]},
+    {0x0C, 0x37, "WRSLDA", &gq7_evidence[7]}, {0x0C, 0x38, "WRSLDA", &gq7_evidence[7]},
+    {0x0C, 0x39, "", &gq7_evidence[2]},       {0x0C, 0x3A, "WRSLDA", &gq7_evidence[7]},
+    {0x0C, 0x3B, "WRSLDA", &gq7_evidence[7]}, {0x0C, 0x41, "WRSLD", &gq7_evidence[5]},
+    {0x0C, 0x42, "WR", &gq7_evidence[0]},     {0x0C, 0x43, "WRSLD", &gq7_evidence[5]},
+    {0x0C, 0x50, "WRSLD", &gq7_evidence[1]},  {0x0C, 0x51, "WRSLD", &gq7_evidence[7]},
+    {0x0C, 0x52, "WRSLD", &gq7_evidence[7]},  {0x0C, 0x53, "", &gq7_evidence[7]},
+    {0x0C, 0x54, "WRSLD", &gq7_evidence[1]},  {0x0D, 0x01, "", &gq7_evidence[4]},
+    {0x0D, 0x03, "", &gq7_evidence[7]},       {0x0D, 0x05, "", &gq7_evidence[2]},
+    {0x0D, 0x15, "WRSLD", &gq7_evidence[2]},  {0x0D, 0x17, "", &gq7_evidence[7]},
+    {0x0D, 0x1A, "WRSLD", &gq7_evidence[7]},  {0x0D, 0x1B, "WRSLD", &gq7_evidence[7]},
+    {0x0D, 0x1C, "WRSLD", &gq7_evidence[7]},  {0x0D, 0x1D, "WRSLD", &gq7_evidence[7]},
+    {0x0D, 0x1E, "WRSLD", &gq7_evidence[2]},  {0x0D, 0x1F, "", &gq7_evidence[7]},
+    {0x0D, 0x20, "WRSLD", &gq7_evidence[2]},  {0x0D, 0x28, "WRSLD", &gq7_evidence[7]},
+    {0x0D, 0x43, "WRSLD", &gq7_evidence[2]},  {0x0D, 0x50, "WRSLD", &gq7_evidence[4]},
+    {0x0D, 0x52, "WRSLD", &gq7_evidence[2]},  {0x0D, 0x53, "WRSLD", &gq7_evidence[5]},
+    {0x0D, 0x54, "WRSLD", &gq7_evidence[4]},  {0x0D, 0x55, "WRSLD", &gq7_evidence[5]},
+    {0x0D, 0x56, "WRSLD", &gq7_evidence[5]},  {0x0D, 0x61, "WRSLD", &gq7_evidence[5]},
+    {0x0D, 0x63, "WRSLD", &gq7_evidence[4]},  {0x0D, 0x64, "WRSLD", &gq7_evidence[2]},
+    {0x0E, 0x01, "", &gq7_evidence[7]},       {0x0E, 0x02, "WRSLD", &gq7_evidence[5]},
+    {0x0E, 0x10, "WRSLD", &gq7_evidence[5]},  {0x13, 0x01, "WRSLD", &gq7_evidence[7]},
+    {0x13, 0x1F, "WRSLD", &gq7_evidence[7]},  {0x13, 0x31, "", &gq7_evidence[7]},
+    {0x80, 0x04, "", &gq7_evidence[3]},       {0x80, 0x05, "", &gq7_evidence[3]},
+    {0x80, 0x06, "", &gq7_evidence[3]},       {0x80, 0x07, "", &gq7_evidence[3]},
+    {0x80, 0x08, "", &gq7_evidence[3]},       {0x80, 0x09, "", &gq7_evidence[7]},
+    {0x80, 0x0A, "", &gq7_evidence[3]},       {0x80, 0x0C, "", &gq7_evidence[7]},
+    {0x80, 0x12, "", &gq7_evidence[3]},       {0x80, 0x14, "", &gq7_evidence[0]},
+    {0x80, 0x17, "", &gq7_evidence[3]},       {0x80, 0x18, "", &gq7_evidence[3]},
+    {0x80, 0x40, "", &gq7_evidence[3]},       {0x82, 0x01, "", &gq7_evidence[3]},
+    {0x82, 0x02, "", &gq7_evidence[3]},       {0x82, 0x03, "", &gq7_evidence[3]},
+    {0x82, 0x04, "", &gq7_evidence[7]},       {0x82, 0x05, "", &gq7_evidence[3]},
+    {0x82, 0x06, "", &gq7_evidence[7]},       {0x82, 0x07, "", &gq7_evidence[7]},
+    {0x82, 0x08, "", &gq7_evidence[3]},       {0x82, 0x09, "", &gq7_evidence[3]},
+    {0x82, 0x0A, "", &gq7_evidence[3]},       {0x82, 0x0B, "", &gq7_evidence[7]},
+    {0x82, 0x0C, "", &gq7_evidence[7]},       {0x82, 0x0D, "", &gq7_evidence[3]},
+    {0x82, 0x0E, "", &gq7_evidence[3]},       {0x82, 0x10, "", &gq7_evidence[3]},
+    {0x82, 0x12, "", &gq7_evidence[7]},       {0x82, 0x13, "", &gq7_evidence[7]},
+    {0x82, 0x15, "", &gq7_evidence[7]},       {0x82, 0x1C, "", &gq7_evidence[3]},
+    {0x82, 0x21, "", &gq7_evidence[7]},       {0x82, 0x34, "", &gq7_evidence[3]},
+    {0x82, 0x35, "", &gq7_evidence[7]},       {0x82, 0x36, "", &gq7_evidence[3]},
+    {0x82, 0x37, "", &gq7_evidence[3]},       {0x82, 0x40, "", &gq7_evidence[3]},
+    {0x82, 0x41, "", &gq7_evidence[3]},       {0x82, 0x42, "", &gq7_evidence[3]},
+    {0x82, 0x43, "", &gq7_evidence[3]},       {0x82, 0x46, "", &gq7_evidence[3]},
+    {0x82, 0x47, "", &gq7_evidence[7]},       {0x82, 0x48, "", &gq7_evidence[7]},
+    {0x82, 0x49, "", &gq7_evidence[3]},       {0x91, 0x03, "", &gq7_evidence[2]},
+    {0x91, 0x04, "", &gq7_evidence[3]},       {0x91, 0x05, "", &gq7_evidence[3]},
+    {0x91, 0x06, "", &gq7_evidence[3]},       {0x91, 0x07, "", &gq7_evidence[6]},
+    {0x91, 0x08, "", &gq7_evidence[7]},       {0x91, 0x09, "", &gq7_evidence[7]},
+    {0x91, 0x0B, "", &gq7_evidence[2]},       {0x91, 0x0D, "", &gq7_evidence[7]},
+    {0x91, 0x10, "", &gq7_evidence[7]},       {0x91, 0x11, "", &gq7_evidence[6]},
+    {0x91, 0x12, "", &gq7_evidence[3]},       {0x91, 0x14, "", &gq7_evidence[3]},
+    {0x91, 0x20, "", &gq7_evidence[7]},       {0x91, 0x22, "", &gq7_evidence[7]},
+    {0x91, 0x61, "", &gq7_evidence[7]},       {0x91, 0x62, "", &gq7_evidence[7]},
+    {0x91, 0x63, "", &gq7_evidence[7]},       {0x91, 0x64, "", &gq7_evidence[7]},
+    {0x92, 0x03, "", &gq7_evidence[3]},       {0x92, 0x04, "", &gq7_evidence[3]},
+    {0x92, 0x05, "", &gq7_evidence[3]},       {0x92, 0x06, "", &gq7_evidence[3]},
+    {0x92, 0x07, "", &gq7_evidence[6]},       {0x92, 0x08, "", &gq7_evidence[7]},
+    {0x92, 0x09, "", &gq7_evidence[7]},       {0x92, 0x0B, "", &gq7_evidence[4]},
+    {0x92, 0x0D, "", &gq7_evidence[2]},       {0x92, 0x10, "", &gq7_evidence[7]},
+    {0x92, 0x11, "", &gq7_evidence[6]},       {0x92, 0x12, "", &gq7_evidence[3]},
+    {0x92, 0x14, "", &gq7_evidence[3]},       {0x92, 0x20, "", &gq7_evidence[7]},
+    {0x92, 0x22, "", &gq7_evidence[7]},       {0x92, 0x61, "", &gq7_evidence[7]},
+    {0x92, 0x62, "", &gq7_evidence[7]},       {0x92, 0x63, "", &gq7_evidence[7]},
+    {0x92, 0x64, "", &gq7_evidence[7]},       {0x93, 0x30, "", &gq7_evidence[3]},
+    {0x93, 0x31, "", &gq7_evidence[3]},       {0xA0, 0x01, "", &gq7_evidence[0]},
+    {0xA0, 0x02, "", &gq7_evidence[7]},       {0xA0, 0x03, "", &gq7_evidence[7]},
+    {0xFF, 0xD0, "", &gq7_evidence[7]},       {0xFF, 0xD3, "", &gq7_evidence[3]},
+    {0xFF, 0xD4, "", &gq7_evidence[7]},       {0xFF, 0xD5, "", &gq7_evidence[7]},
+    {0xFF, 0xD6, "", &gq7_evidence[7]},       {0xFF, 0xD7, "", &gq7_evidence[7]},
+    {0xFF, 0xD8, "", &gq7_evidence[7]},
 };
 
 static const struct mip_profile_rate gq7_rates[] = {
@@ -4032,93 +3140,50 @@ static const struct mip_profile_evidence gv7_ahrs_evidence[] = {
 };
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
-    {0x01, 0x01, "", &gv7_ahrs_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gv7_ahrs_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gv7_ahrs_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gv7_ahrs_evidence[4]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gv7_ahrs_evidence[5]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gv7_ahrs_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &gv7_ahrs_evidence[4]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &gv7_ahrs_evidence[5]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &gv7_ahrs_evidence[5]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &gv7_ahrs_evidence[5]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gv7_ahrs_evidence[5]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &gv7_ahrs_evidence[5]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &gv7_ahrs_evidence[0]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &gv7_ahrs_evidence[5]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &gv7_ahrs_evidence[1]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &gv7_ahrs_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &gv7_ahrs_evidence[0]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gv7_ahrs_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gv7_ahrs_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &gv7_ahrs_evidence[2]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &gv7_ahrs_evidence[5]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &gv7_ahrs_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &gv7_ahrs_evidence[5]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &gv7_ahrs_evidence[0]},       /* filter.reset */
-    {0x0D, 0x03, "", &gv7_ahrs_evidence[5]},       /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &gv7_ahrs_evidence[5]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &gv7_ahrs_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &gv7_ahrs_evidence[0]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &gv7_ahrs_evidence[1]},  /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &gv7_ahrs_evidence[5]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &gv7_ahrs_evidence[5]},  /* aiding.echo_control */
-    {0x13, 0x31, "", &gv7_ahrs_evidence[5]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &gv7_ahrs_evidence[5]},       /* aiding.magnetic_field */
-    {0x80, 0x04, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gv7_ahrs_evidence[5]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gv7_ahrs_evidence[5]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gv7_ahrs_evidence[3]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &gv7_ahrs_evidence[5]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &gv7_ahrs_evidence[3]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &gv7_ahrs_evidence[5]},       /* sensor.overrange_status */
-    {0x82, 0x03, "", &gv7_ahrs_evidence[3]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gv7_ahrs_evidence[5]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gv7_ahrs_evidence[0]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gv7_ahrs_evidence[3]},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gv7_ahrs_evidence[3]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gv7_ahrs_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gv7_ahrs_evidence[3]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gv7_ahrs_evidence[3]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &gv7_ahrs_evidence[0]},       /* filter_data.status */
-    {0x82, 0x12, "", &gv7_ahrs_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gv7_ahrs_evidence[3]},       /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &gv7_ahrs_evidence[3]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gv7_ahrs_evidence[3]},       /* filter_data.pressure_altitude */
-    {0xA0, 0x01, "", &gv7_ahrs_evidence[5]},       /* system_data.built_in_test */
-    {0xA0, 0x02, "", &gv7_ahrs_evidence[1]},       /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &gv7_ahrs_evidence[3]},       /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &gv7_ahrs_evidence[0]},       /* shared.event_source */
-    {0xFF, 0xD3, "", &gv7_ahrs_evidence[0]},       /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &gv7_ahrs_evidence[5]},       /* shared.delta_time */
-    {0xFF, 0xD5, "", &gv7_ahrs_evidence[3]},       /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &gv7_ahrs_evidence[5]},       /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &gv7_ahrs_evidence[3]},       /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &gv7_ahrs_evidence[5]},       /* shared.external_time_delta */
+    {0x01, 0x01, "", &gv7_ahrs_evidence[0]},       {0x01, 0x02, "", &gv7_ahrs_evidence[0]},
+    {0x01, 0x03, "", &gv7_ahrs_evidence[0]},       {0x01, 0x04, "", &gv7_ahrs_evidence[4]},
+    {0x01, 0x05, "", &gv7_ahrs_evidence[5]},       {0x01, 0x06, "", &gv7_ahrs_evidence[0]},
+    {0x01, 0x07, "", &gv7_ahrs_evidence[4]},       {0x01, 0x08, "", &gv7_ahrs_evidence[5]},
+    {0x01, 0x09, "WRSLD", &gv7_ahrs_evidence[5]},  {0x01, 0x72, "WRA", &gv7_ahrs_evidence[5]},
+    {0x01, 0x7E, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x0D, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x0E, "", &gv7_ahrs_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x10, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x28, "WRSLD", &gv7_ahrs_evidence[1]},  {0x0C, 0x2A, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x2C, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x2D, "", &gv7_ahrs_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x2F, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x30, "SLD", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x31, "WRSLD", &gv7_ahrs_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x33, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ahrs_evidence[5]}, {0x0C, 0x39, "", &gv7_ahrs_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gv7_ahrs_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x41, "WRSLD", &gv7_ahrs_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x50, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x52, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0C, 0x53, "", &gv7_ahrs_evidence[5]},
+    {0x0C, 0x54, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x01, "", &gv7_ahrs_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ahrs_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x1D, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0D, 0x20, "WRSLD", &gv7_ahrs_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x0D, 0x43, "WRSLD", &gv7_ahrs_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ahrs_evidence[0]},
+    {0x0D, 0x53, "WRSLD", &gv7_ahrs_evidence[1]},  {0x13, 0x01, "WRSLD", &gv7_ahrs_evidence[5]},
+    {0x13, 0x1F, "WRSLD", &gv7_ahrs_evidence[5]},  {0x13, 0x31, "", &gv7_ahrs_evidence[5]},
+    {0x13, 0x32, "", &gv7_ahrs_evidence[5]},       {0x80, 0x04, "", &gv7_ahrs_evidence[3]},
+    {0x80, 0x05, "", &gv7_ahrs_evidence[3]},       {0x80, 0x06, "", &gv7_ahrs_evidence[3]},
+    {0x80, 0x07, "", &gv7_ahrs_evidence[5]},       {0x80, 0x08, "", &gv7_ahrs_evidence[5]},
+    {0x80, 0x09, "", &gv7_ahrs_evidence[3]},       {0x80, 0x0A, "", &gv7_ahrs_evidence[3]},
+    {0x80, 0x0C, "", &gv7_ahrs_evidence[3]},       {0x80, 0x14, "", &gv7_ahrs_evidence[5]},
+    {0x80, 0x17, "", &gv7_ahrs_evidence[3]},       {0x80, 0x18, "", &gv7_ahrs_evidence[5]},
+    {0x82, 0x03, "", &gv7_ahrs_evidence[3]},       {0x82, 0x04, "", &gv7_ahrs_evidence[5]},
+    {0x82, 0x05, "", &gv7_ahrs_evidence[0]},       {0x82, 0x06, "", &gv7_ahrs_evidence[3]},
+    {0x82, 0x0A, "", &gv7_ahrs_evidence[3]},       {0x82, 0x0B, "", &gv7_ahrs_evidence[3]},
+    {0x82, 0x0D, "", &gv7_ahrs_evidence[3]},       {0x82, 0x0E, "", &gv7_ahrs_evidence[3]},
+    {0x82, 0x10, "", &gv7_ahrs_evidence[0]},       {0x82, 0x12, "", &gv7_ahrs_evidence[3]},
+    {0x82, 0x13, "", &gv7_ahrs_evidence[3]},       {0x82, 0x1C, "", &gv7_ahrs_evidence[3]},
+    {0x82, 0x21, "", &gv7_ahrs_evidence[3]},       {0xA0, 0x01, "", &gv7_ahrs_evidence[5]},
+    {0xA0, 0x02, "", &gv7_ahrs_evidence[1]},       {0xA0, 0x03, "", &gv7_ahrs_evidence[3]},
+    {0xFF, 0xD0, "", &gv7_ahrs_evidence[0]},       {0xFF, 0xD3, "", &gv7_ahrs_evidence[0]},
+    {0xFF, 0xD4, "", &gv7_ahrs_evidence[5]},       {0xFF, 0xD5, "", &gv7_ahrs_evidence[3]},
+    {0xFF, 0xD6, "", &gv7_ahrs_evidence[5]},       {0xFF, 0xD7, "", &gv7_ahrs_evidence[3]},
+    {0xFF, 0xD8, "", &gv7_ahrs_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ahrs_ports[] = {
@@ -4220,93 +3285,50 @@ static const struct mip_profile_evidence gv7_ar_evidence[] = {
 };
 
 static const struct mip_profile_field gv7_ar_fields[] = {
-    {0x01, 0x01, "", &gv7_ar_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gv7_ar_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gv7_ar_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gv7_ar_evidence[4]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gv7_ar_evidence[5]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gv7_ar_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &gv7_ar_evidence[4]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &gv7_ar_evidence[5]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &gv7_ar_evidence[5]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &gv7_ar_evidence[5]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gv7_ar_evidence[5]},       /* base.soft_reset */
-    {0x0C, 0x0D, "", &gv7_ar_evidence[5]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &gv7_ar_evidence[0]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &gv7_ar_evidence[5]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &gv7_ar_evidence[1]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &gv7_ar_evidence[5]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &gv7_ar_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &gv7_ar_evidence[0]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gv7_ar_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gv7_ar_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &gv7_ar_evidence[2]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &gv7_ar_evidence[5]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &gv7_ar_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &gv7_ar_evidence[5]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &gv7_ar_evidence[0]},       /* filter.reset */
-    {0x0D, 0x03, "", &gv7_ar_evidence[5]},       /* filter.set_initial_heading */
-    {0x0D, 0x1A, "WRSLD", &gv7_ar_evidence[5]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &gv7_ar_evidence[5]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &gv7_ar_evidence[5]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &gv7_ar_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &gv7_ar_evidence[1]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x53, "WRSLD", &gv7_ar_evidence[1]},  /* filter.adaptive_filter_options */
-    {0x13, 0x01, "WRSLD", &gv7_ar_evidence[5]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &gv7_ar_evidence[5]},  /* aiding.echo_control */
-    {0x13, 0x31, "", &gv7_ar_evidence[5]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &gv7_ar_evidence[5]},       /* aiding.magnetic_field */
-    {0x80, 0x04, "", &gv7_ar_evidence[3]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gv7_ar_evidence[3]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gv7_ar_evidence[3]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gv7_ar_evidence[5]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gv7_ar_evidence[5]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gv7_ar_evidence[3]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gv7_ar_evidence[3]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gv7_ar_evidence[3]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &gv7_ar_evidence[5]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &gv7_ar_evidence[3]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &gv7_ar_evidence[5]},       /* sensor.overrange_status */
-    {0x82, 0x03, "", &gv7_ar_evidence[3]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gv7_ar_evidence[5]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gv7_ar_evidence[0]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gv7_ar_evidence[3]},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gv7_ar_evidence[3]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gv7_ar_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gv7_ar_evidence[3]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gv7_ar_evidence[3]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &gv7_ar_evidence[0]},       /* filter_data.status */
-    {0x82, 0x12, "", &gv7_ar_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gv7_ar_evidence[3]},       /* filter_data.gravity_vector */
-    {0x82, 0x1C, "", &gv7_ar_evidence[3]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gv7_ar_evidence[3]},       /* filter_data.pressure_altitude */
-    {0xA0, 0x01, "", &gv7_ar_evidence[5]},       /* system_data.built_in_test */
-    {0xA0, 0x02, "", &gv7_ar_evidence[1]},       /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &gv7_ar_evidence[3]},       /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &gv7_ar_evidence[0]},       /* shared.event_source */
-    {0xFF, 0xD3, "", &gv7_ar_evidence[0]},       /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &gv7_ar_evidence[5]},       /* shared.delta_time */
-    {0xFF, 0xD5, "", &gv7_ar_evidence[3]},       /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &gv7_ar_evidence[5]},       /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &gv7_ar_evidence[3]},       /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &gv7_ar_evidence[5]},       /* shared.external_time_delta */
+    {0x01, 0x01, "", &gv7_ar_evidence[0]},       {0x01, 0x02, "", &gv7_ar_evidence[0]},
+    {0x01, 0x03, "", &gv7_ar_evidence[0]},       {0x01, 0x04, "", &gv7_ar_evidence[4]},
+    {0x01, 0x05, "", &gv7_ar_evidence[5]},       {0x01, 0x06, "", &gv7_ar_evidence[0]},
+    {0x01, 0x07, "", &gv7_ar_evidence[4]},       {0x01, 0x08, "", &gv7_ar_evidence[5]},
+    {0x01, 0x09, "WRSLD", &gv7_ar_evidence[5]},  {0x01, 0x72, "WRA", &gv7_ar_evidence[5]},
+    {0x01, 0x7E, "", &gv7_ar_evidence[5]},       {0x0C, 0x0D, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x0E, "", &gv7_ar_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ar_evidence[0]},
+    {0x0C, 0x10, "", &gv7_ar_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0C, 0x28, "WRSLD", &gv7_ar_evidence[1]},  {0x0C, 0x2A, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x2C, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x2D, "", &gv7_ar_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ar_evidence[0]},
+    {0x0C, 0x2F, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x30, "SLD", &gv7_ar_evidence[0]},
+    {0x0C, 0x31, "WRSLD", &gv7_ar_evidence[0]},  {0x0C, 0x32, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0C, 0x33, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ar_evidence[5]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ar_evidence[5]}, {0x0C, 0x39, "", &gv7_ar_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gv7_ar_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ar_evidence[5]},
+    {0x0C, 0x41, "WRSLD", &gv7_ar_evidence[2]},  {0x0C, 0x42, "WR", &gv7_ar_evidence[5]},
+    {0x0C, 0x50, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0C, 0x52, "WRSLD", &gv7_ar_evidence[5]},  {0x0C, 0x53, "", &gv7_ar_evidence[5]},
+    {0x0C, 0x54, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x01, "", &gv7_ar_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ar_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x1D, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0D, 0x20, "WRSLD", &gv7_ar_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ar_evidence[5]},
+    {0x0D, 0x43, "WRSLD", &gv7_ar_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ar_evidence[1]},
+    {0x0D, 0x53, "WRSLD", &gv7_ar_evidence[1]},  {0x13, 0x01, "WRSLD", &gv7_ar_evidence[5]},
+    {0x13, 0x1F, "WRSLD", &gv7_ar_evidence[5]},  {0x13, 0x31, "", &gv7_ar_evidence[5]},
+    {0x13, 0x32, "", &gv7_ar_evidence[5]},       {0x80, 0x04, "", &gv7_ar_evidence[3]},
+    {0x80, 0x05, "", &gv7_ar_evidence[3]},       {0x80, 0x06, "", &gv7_ar_evidence[3]},
+    {0x80, 0x07, "", &gv7_ar_evidence[5]},       {0x80, 0x08, "", &gv7_ar_evidence[5]},
+    {0x80, 0x09, "", &gv7_ar_evidence[3]},       {0x80, 0x0A, "", &gv7_ar_evidence[3]},
+    {0x80, 0x0C, "", &gv7_ar_evidence[3]},       {0x80, 0x14, "", &gv7_ar_evidence[5]},
+    {0x80, 0x17, "", &gv7_ar_evidence[3]},       {0x80, 0x18, "", &gv7_ar_evidence[5]},
+    {0x82, 0x03, "", &gv7_ar_evidence[3]},       {0x82, 0x04, "", &gv7_ar_evidence[5]},
+    {0x82, 0x05, "", &gv7_ar_evidence[0]},       {0x82, 0x06, "", &gv7_ar_evidence[3]},
+    {0x82, 0x0A, "", &gv7_ar_evidence[3]},       {0x82, 0x0B, "", &gv7_ar_evidence[3]},
+    {0x82, 0x0D, "", &gv7_ar_evidence[3]},       {0x82, 0x0E, "", &gv7_ar_evidence[3]},
+    {0x82, 0x10, "", &gv7_ar_evidence[0]},       {0x82, 0x12, "", &gv7_ar_evidence[3]},
+    {0x82, 0x13, "", &gv7_ar_evidence[3]},       {0x82, 0x1C, "", &gv7_ar_evidence[3]},
+    {0x82, 0x21, "", &gv7_ar_evidence[3]},       {0xA0, 0x01, "", &gv7_ar_evidence[5]},
+    {0xA0, 0x02, "", &gv7_ar_evidence[1]},       {0xA0, 0x03, "", &gv7_ar_evidence[3]},
+    {0xFF, 0xD0, "", &gv7_ar_evidence[0]},       {0xFF, 0xD3, "", &gv7_ar_evidence[0]},
+    {0xFF, 0xD4, "", &gv7_ar_evidence[5]},       {0xFF, 0xD5, "", &gv7_ar_evidence[3]},
+    {0xFF, 0xD6, "", &gv7_ar_evidence[5]},       {0xFF, 0xD7, "", &gv7_ar_evidence[3]},
+    {0xFF, 0xD8, "", &gv7_ar_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ar_ports[] = {
@@ -4408,132 +3430,69 @@ static const struct mip_profile_evidence gv7_ins_evidence[] = {
 };
 
 static const struct mip_profile_field gv7_ins_fields[] = {
-    {0x01, 0x01, "", &gv7_ins_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gv7_ins_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gv7_ins_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gv7_ins_evidence[4]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gv7_ins_evidence[5]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gv7_ins_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &gv7_ins_evidence[4]},       /* base.get_extended_descriptors */
-    {0x01, 0x08, "", &gv7_ins_evidence[5]},       /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD", &gv7_ins_evidence[1]},  /* base.comm_speed */
-    {0x01, 0x72, "WRA", &gv7_ins_evidence[5]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gv7_ins_evidence[5]},       /* base.soft_reset */
-    {0x0C, 0x04, "", &gv7_ins_evidence[5]},       /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, "", &gv7_ins_evidence[5]},       /* 3dm.poll_data */
-    {0x0C, 0x0E, "", &gv7_ins_evidence[0]},       /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD", &gv7_ins_evidence[0]},  /* 3dm.message_format */
-    {0x0C, 0x10, "", &gv7_ins_evidence[5]},       /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", &gv7_ins_evidence[1]},  /* 3dm.pps_source_control */
-    {0x0C, 0x2A, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_control */
-    {0x0C, 0x2C, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, "", &gv7_ins_evidence[5]},       /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD", &gv7_ins_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gv7_ins_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gv7_ins_evidence[5]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", &gv7_ins_evidence[1]},  /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR", &gv7_ins_evidence[1]},     /* 3dm.gpio_state */
-    {0x0C, 0x50, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.sensor_range */
-    {0x0C, 0x53, "", &gv7_ins_evidence[5]},       /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD", &gv7_ins_evidence[5]},  /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", &gv7_ins_evidence[0]},       /* filter.reset */
-    {0x0D, 0x03, "", &gv7_ins_evidence[5]},       /* filter.set_initial_heading */
-    {0x0D, 0x05, "", &gv7_ins_evidence[5]},       /* filter.run */
-    {0x0D, 0x13, "WRSLD", &gv7_ins_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gnss_source */
-    {0x0D, 0x17, "", &gv7_ins_evidence[5]},       /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD", &gv7_ins_evidence[5]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &gv7_ins_evidence[5]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &gv7_ins_evidence[5]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gv7_ins_evidence[5]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD", &gv7_ins_evidence[5]},  /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD", &gv7_ins_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", &gv7_ins_evidence[0]},  /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD", &gv7_ins_evidence[0]},  /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD", &gv7_ins_evidence[2]},  /* filter.adaptive_filter_options */
-    {0x0D, 0x55, "WRSLD", &gv7_ins_evidence[1]},  /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD", &gv7_ins_evidence[5]},  /* filter.reference_point_lever_arm */
-    {0x13, 0x01, "WRSLD", &gv7_ins_evidence[0]},  /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", &gv7_ins_evidence[5]},  /* aiding.echo_control */
-    {0x13, 0x21, "", &gv7_ins_evidence[5]},       /* aiding.ecef_position */
-    {0x13, 0x22, "", &gv7_ins_evidence[0]},       /* aiding.llh_position */
-    {0x13, 0x23, "", &gv7_ins_evidence[5]},       /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, "", &gv7_ins_evidence[5]},       /* aiding.ecef_velocity */
-    {0x13, 0x29, "", &gv7_ins_evidence[0]},       /* aiding.ned_velocity */
-    {0x13, 0x2A, "", &gv7_ins_evidence[0]},       /* aiding.body_frame_velocity */
-    {0x13, 0x31, "", &gv7_ins_evidence[0]},       /* aiding.true_heading */
-    {0x13, 0x32, "", &gv7_ins_evidence[5]},       /* aiding.magnetic_field */
-    {0x13, 0x33, "", &gv7_ins_evidence[5]},       /* aiding.pressure */
-    {0x80, 0x04, "", &gv7_ins_evidence[3]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gv7_ins_evidence[3]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gv7_ins_evidence[3]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gv7_ins_evidence[5]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gv7_ins_evidence[5]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gv7_ins_evidence[3]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gv7_ins_evidence[3]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gv7_ins_evidence[3]},       /* sensor.comp_euler_angles */
-    {0x80, 0x14, "", &gv7_ins_evidence[5]},       /* sensor.temperature_statistics */
-    {0x80, 0x17, "", &gv7_ins_evidence[3]},       /* sensor.scaled_pressure */
-    {0x80, 0x18, "", &gv7_ins_evidence[5]},       /* sensor.overrange_status */
-    {0x82, 0x01, "", &gv7_ins_evidence[0]},       /* filter_data.llh_position */
-    {0x82, 0x02, "", &gv7_ins_evidence[0]},       /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &gv7_ins_evidence[3]},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gv7_ins_evidence[5]},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gv7_ins_evidence[0]},       /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gv7_ins_evidence[3]},       /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &gv7_ins_evidence[3]},       /* filter_data.accel_bias */
-    {0x82, 0x08, "", &gv7_ins_evidence[5]},       /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &gv7_ins_evidence[5]},       /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &gv7_ins_evidence[3]},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gv7_ins_evidence[3]},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &gv7_ins_evidence[3]},       /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &gv7_ins_evidence[3]},       /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gv7_ins_evidence[3]},       /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &gv7_ins_evidence[0]},       /* filter_data.status */
-    {0x82, 0x12, "", &gv7_ins_evidence[3]},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gv7_ins_evidence[3]},       /* filter_data.gravity_vector */
-    {0x82, 0x15, "", &gv7_ins_evidence[5]},       /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &gv7_ins_evidence[3]},       /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gv7_ins_evidence[3]},       /* filter_data.pressure_altitude */
-    {0x82, 0x36, "", &gv7_ins_evidence[1]},       /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &gv7_ins_evidence[5]},       /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &gv7_ins_evidence[1]},       /* filter_data.ecef_position */
-    {0x82, 0x41, "", &gv7_ins_evidence[5]},       /* filter_data.ecef_velocity */
-    {0x82, 0x42, "", &gv7_ins_evidence[1]},       /* filter_data.ned_relative_position */
-    {0x82, 0x43, "", &gv7_ins_evidence[5]},       /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, "", &gv7_ins_evidence[1]},       /* filter_data.aiding_measurement_summary */
-    {0x82, 0x50, "", &gv7_ins_evidence[5]},       /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, "", &gv7_ins_evidence[5]}, /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x94, 0x03, "", &gv7_ins_evidence[5]}, /* gnss_external.llh_position */
-    {0x94, 0x05, "", &gv7_ins_evidence[5]}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, "", &gv7_ins_evidence[5]}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", &gv7_ins_evidence[5]}, /* gnss_external.fix_info */
-    {0x94, 0x20, "", &gv7_ins_evidence[5]}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, "", &gv7_ins_evidence[5]}, /* system_data.built_in_test */
-    {0xA0, 0x02, "", &gv7_ins_evidence[3]}, /* system_data.time_sync_status */
-    {0xA0, 0x03, "", &gv7_ins_evidence[3]}, /* system_data.gpio_state */
-    {0xFF, 0xD0, "", &gv7_ins_evidence[5]}, /* shared.event_source */
-    {0xFF, 0xD3, "", &gv7_ins_evidence[0]}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, "", &gv7_ins_evidence[5]}, /* shared.delta_time */
-    {0xFF, 0xD5, "", &gv7_ins_evidence[3]}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, "", &gv7_ins_evidence[5]}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, "", &gv7_ins_evidence[3]}, /* shared.external_timestamp */
-    {0xFF, 0xD8, "", &gv7_ins_evidence[5]}, /* shared.external_time_delta */
+    {0x01, 0x01, "", &gv7_ins_evidence[0]},       {0x01, 0x02, "", &gv7_ins_evidence[0]},
+    {0x01, 0x03, "", &gv7_ins_evidence[0]},       {0x01, 0x04, "", &gv7_ins_evidence[4]},
+    {0x01, 0x05, "", &gv7_ins_evidence[5]},       {0x01, 0x06, "", &gv7_ins_evidence[0]},
+    {0x01, 0x07, "", &gv7_ins_evidence[4]},       {0x01, 0x08, "", &gv7_ins_evidence[5]},
+    {0x01, 0x09, "WRSLD", &gv7_ins_evidence[1]},  {0x01, 0x72, "WRA", &gv7_ins_evidence[5]},
+    {0x01, 0x7E, "", &gv7_ins_evidence[5]},       {0x0C, 0x04, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x0C, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x0D, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x0E, "", &gv7_ins_evidence[0]},       {0x0C, 0x0F, "WRSLD", &gv7_ins_evidence[0]},
+    {0x0C, 0x10, "", &gv7_ins_evidence[5]},       {0x0C, 0x11, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0C, 0x28, "WRSLD", &gv7_ins_evidence[1]},  {0x0C, 0x2A, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x2B, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x2C, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x2D, "", &gv7_ins_evidence[5]},       {0x0C, 0x2E, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0C, 0x2F, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x30, "SLD", &gv7_ins_evidence[0]},
+    {0x0C, 0x31, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x32, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0C, 0x33, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x37, "WRSLDA", &gv7_ins_evidence[5]},
+    {0x0C, 0x38, "WRSLDA", &gv7_ins_evidence[5]}, {0x0C, 0x39, "", &gv7_ins_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gv7_ins_evidence[5]}, {0x0C, 0x3B, "WRSLDA", &gv7_ins_evidence[5]},
+    {0x0C, 0x41, "WRSLD", &gv7_ins_evidence[1]},  {0x0C, 0x42, "WR", &gv7_ins_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x51, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0C, 0x52, "WRSLD", &gv7_ins_evidence[5]},  {0x0C, 0x53, "", &gv7_ins_evidence[5]},
+    {0x0C, 0x54, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x01, "", &gv7_ins_evidence[0]},
+    {0x0D, 0x03, "", &gv7_ins_evidence[5]},       {0x0D, 0x05, "", &gv7_ins_evidence[5]},
+    {0x0D, 0x13, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x15, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0D, 0x17, "", &gv7_ins_evidence[5]},       {0x0D, 0x1A, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0D, 0x1B, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x1C, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0D, 0x1D, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x1F, "", &gv7_ins_evidence[5]},
+    {0x0D, 0x20, "WRSLD", &gv7_ins_evidence[5]},  {0x0D, 0x28, "WRSLD", &gv7_ins_evidence[5]},
+    {0x0D, 0x43, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x50, "WRSLD", &gv7_ins_evidence[0]},
+    {0x0D, 0x52, "WRSLD", &gv7_ins_evidence[0]},  {0x0D, 0x53, "WRSLD", &gv7_ins_evidence[2]},
+    {0x0D, 0x55, "WRSLD", &gv7_ins_evidence[1]},  {0x0D, 0x56, "WRSLD", &gv7_ins_evidence[5]},
+    {0x13, 0x01, "WRSLD", &gv7_ins_evidence[0]},  {0x13, 0x1F, "WRSLD", &gv7_ins_evidence[5]},
+    {0x13, 0x21, "", &gv7_ins_evidence[5]},       {0x13, 0x22, "", &gv7_ins_evidence[0]},
+    {0x13, 0x23, "", &gv7_ins_evidence[5]},       {0x13, 0x28, "", &gv7_ins_evidence[5]},
+    {0x13, 0x29, "", &gv7_ins_evidence[0]},       {0x13, 0x2A, "", &gv7_ins_evidence[0]},
+    {0x13, 0x31, "", &gv7_ins_evidence[0]},       {0x13, 0x32, "", &gv7_ins_evidence[5]},
+    {0x13, 0x33, "", &gv7_ins_evidence[5]},       {0x80, 0x04, "", &gv7_ins_evidence[3]},
+    {0x80, 0x05, "", &gv7_ins_evidence[3]},       {0x80, 0x06, "", &gv7_ins_evidence[3]},
+    {0x80, 0x07, "", &gv7_ins_evidence[5]},       {0x80, 0x08, "", &gv7_ins_evidence[5]},
+    {0x80, 0x09, "", &gv7_ins_evidence[3]},       {0x80, 0x0A, "", &gv7_ins_evidence[3]},
+    {0x80, 0x0C, "", &gv7_ins_evidence[3]},       {0x80, 0x14, "", &gv7_ins_evidence[5]},
+    {0x80, 0x17, "", &gv7_ins_evidence[3]},       {0x80, 0x18, "", &gv7_ins_evidence[5]},
+    {0x82, 0x01, "", &gv7_ins_evidence[0]},       {0x82, 0x02, "", &gv7_ins_evidence[0]},
+    {0x82, 0x03, "", &gv7_ins_evidence[3]},       {0x82, 0x04, "", &gv7_ins_evidence[5]},
+    {0x82, 0x05, "", &gv7_ins_evidence[0]},       {0x82, 0x06, "", &gv7_ins_evidence[3]},
+    {0x82, 0x07, "", &gv7_ins_evidence[3]},       {0x82, 0x08, "", &gv7_ins_evidence[5]},
+    {0x82, 0x09, "", &gv7_ins_evidence[5]},       {0x82, 0x0A, "", &gv7_ins_evidence[3]},
+    {0x82, 0x0B, "", &gv7_ins_evidence[3]},       {0x82, 0x0C, "", &gv7_ins_evidence[3]},
+    {0x82, 0x0D, "", &gv7_ins_evidence[3]},       {0x82, 0x0E, "", &gv7_ins_evidence[3]},
+    {0x82, 0x10, "", &gv7_ins_evidence[0]},       {0x82, 0x12, "", &gv7_ins_evidence[3]},
+    {0x82, 0x13, "", &gv7_ins_evidence[3]},       {0x82, 0x15, "", &gv7_ins_evidence[5]},
+    {0x82, 0x1C, "", &gv7_ins_evidence[3]},       {0x82, 0x21, "", &gv7_ins_evidence[3]},
+    {0x82, 0x36, "", &gv7_ins_evidence[1]},       {0x82, 0x37, "", &gv7_ins_evidence[5]},
+    {0x82, 0x40, "", &gv7_ins_evidence[1]},       {0x82, 0x41, "", &gv7_ins_evidence[5]},
+    {0x82, 0x42, "", &gv7_ins_evidence[1]},       {0x82, 0x43, "", &gv7_ins_evidence[5]},
+    {0x82, 0x46, "", &gv7_ins_evidence[1]},       {0x82, 0x50, "", &gv7_ins_evidence[5]},
+    {0x82, 0x51, "", &gv7_ins_evidence[5]},       {0x94, 0x03, "", &gv7_ins_evidence[5]},
+    {0x94, 0x05, "", &gv7_ins_evidence[5]},       {0x94, 0x08, "", &gv7_ins_evidence[5]},
+    {0x94, 0x0B, "", &gv7_ins_evidence[5]},       {0x94, 0x20, "", &gv7_ins_evidence[5]},
+    {0xA0, 0x01, "", &gv7_ins_evidence[5]},       {0xA0, 0x02, "", &gv7_ins_evidence[3]},
+    {0xA0, 0x03, "", &gv7_ins_evidence[3]},       {0xFF, 0xD0, "", &gv7_ins_evidence[5]},
+    {0xFF, 0xD3, "", &gv7_ins_evidence[0]},       {0xFF, 0xD4, "", &gv7_ins_evidence[5]},
+    {0xFF, 0xD5, "", &gv7_ins_evidence[3]},       {0xFF, 0xD6, "", &gv7_ins_evidence[5]},
+    {0xFF, 0xD7, "", &gv7_ins_evidence[3]},       {0xFF, 0xD8, "", &gv7_ins_evidence[5]},
 };
 
 static const struct mip_profile_port gv7_ins_ports[] = {
@@ -4631,23 +3590,15 @@ static const struct mip_profile_evidence gx3_15_evidence[] = {
 };
 
 static const struct mip_profile_field gx3_15_fields[] = {
-    {0x01, 0x01, "", &gx3_15_evidence[1]},      /* base.ping */
-    {0x01, 0x02, "", &gx3_15_evidence[1]},      /* base.set_idle */
-    {0x01, 0x03, "", &gx3_15_evidence[1]},      /* base.get_device_info */
-    {0x01, 0x04, "", &gx3_15_evidence[1]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx3_15_evidence[1]},      /* base.built_in_test */
-    {0x01, 0x06, "", &gx3_15_evidence[1]},      /* base.resume */
-    {0x0C, 0x01, "", &gx3_15_evidence[1]},      /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &gx3_15_evidence[1]},      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.data_stream_control */
-    {0x0C, 0x35, "WRSLD", &gx3_15_evidence[0]}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", &gx3_15_evidence[1]},    /* 3dm.imu_timestamp */
-    {0x0C, 0x61, "WRSLD", &gx3_15_evidence[1]}, /* 3dm.device_power_state */
-    {0x0C, 0x64, "", &gx3_15_evidence[1]},      /* 3dm.device_status */
-    {0x80, 0x04, "", &gx3_15_evidence[1]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx3_15_evidence[1]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx3_15_evidence[1]},      /* sensor.scaled_mag */
+    {0x01, 0x01, "", &gx3_15_evidence[1]},      {0x01, 0x02, "", &gx3_15_evidence[1]},
+    {0x01, 0x03, "", &gx3_15_evidence[1]},      {0x01, 0x04, "", &gx3_15_evidence[1]},
+    {0x01, 0x05, "", &gx3_15_evidence[1]},      {0x01, 0x06, "", &gx3_15_evidence[1]},
+    {0x0C, 0x01, "", &gx3_15_evidence[1]},      {0x0C, 0x06, "", &gx3_15_evidence[1]},
+    {0x0C, 0x08, "WRSLD", &gx3_15_evidence[1]}, {0x0C, 0x11, "WRSLD", &gx3_15_evidence[1]},
+    {0x0C, 0x35, "WRSLD", &gx3_15_evidence[0]}, {0x0C, 0x36, "WR", &gx3_15_evidence[1]},
+    {0x0C, 0x61, "WRSLD", &gx3_15_evidence[1]}, {0x0C, 0x64, "", &gx3_15_evidence[1]},
+    {0x80, 0x04, "", &gx3_15_evidence[1]},      {0x80, 0x05, "", &gx3_15_evidence[1]},
+    {0x80, 0x06, "", &gx3_15_evidence[1]},
 };
 
 static const struct mip_profile_reading gx3_15_readings[] = {
@@ -4702,54 +3653,32 @@ static const struct mip_profile_evidence gx3_25_evidence[] = {
 };
 
 static const struct mip_profile_field gx3_25_fields[] = {
-    {0x01, 0x01, "", &gx3_25_evidence[2]},      /* base.ping */
-    {0x01, 0x02, "", &gx3_25_evidence[2]},      /* base.set_idle */
-    {0x01, 0x03, "", &gx3_25_evidence[2]},      /* base.get_device_info */
-    {0x01, 0x04, "", &gx3_25_evidence[2]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx3_25_evidence[2]},      /* base.built_in_test */
-    {0x01, 0x06, "", &gx3_25_evidence[2]},      /* base.resume */
-    {0x0C, 0x01, "", &gx3_25_evidence[2]},      /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &gx3_25_evidence[2]},      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx3_25_evidence[2]}, /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &gx3_25_evidence[2]}, /* 3dm.data_stream_control */
-    {0x0C, 0x35, "WRSLD", &gx3_25_evidence[0]}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", &gx3_25_evidence[2]},    /* 3dm.imu_timestamp */
-    {0x0C, 0x61, "WRSLD", &gx3_25_evidence[1]}, /* 3dm.device_power_state */
-    {0x0C, 0x64, "", &gx3_25_evidence[2]},      /* 3dm.device_status */
-    {0x80, 0x04, "", &gx3_25_evidence[2]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx3_25_evidence[2]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx3_25_evidence[2]},      /* sensor.scaled_mag */
+    {0x01, 0x01, "", &gx3_25_evidence[2]},      {0x01, 0x02, "", &gx3_25_evidence[2]},
+    {0x01, 0x03, "", &gx3_25_evidence[2]},      {0x01, 0x04, "", &gx3_25_evidence[2]},
+    {0x01, 0x05, "", &gx3_25_evidence[2]},      {0x01, 0x06, "", &gx3_25_evidence[2]},
+    {0x0C, 0x01, "", &gx3_25_evidence[2]},      {0x0C, 0x06, "", &gx3_25_evidence[2]},
+    {0x0C, 0x08, "WRSLD", &gx3_25_evidence[2]}, {0x0C, 0x11, "WRSLD", &gx3_25_evidence[2]},
+    {0x0C, 0x35, "WRSLD", &gx3_25_evidence[0]}, {0x0C, 0x36, "WR", &gx3_25_evidence[2]},
+    {0x0C, 0x61, "WRSLD", &gx3_25_evidence[1]}, {0x0C, 0x64, "", &gx3_25_evidence[2]},
+    {0x80, 0x04, "", &gx3_25_evidence[2]},      {0x80, 0x05, "", &gx3_25_evidence[2]},
+    {0x80, 0x06, "", &gx3_25_evidence[2]},
 };
 
 static const struct mip_profile_field gx3_25_refuses[] = {
-    {0x0C, 0x0C, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.nmea_message_format */
-    {0x0C, 0x22, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x43, "WRSLD", &gx3_25_evidence[3]}, /* 3dm.odometer_config */
-    {0x0D, 0x10, "WRSLD", &gx3_25_evidence[3]}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x13, "WRSLD", &gx3_25_evidence[3]}, /* filter.antenna_offset */
-    {0x0D, 0x43, "WRSLD", &gx3_25_evidence[3]}, /* filter.magnetic_declination_source */
-    {0x0D, 0x54, "WRSLD", &gx3_25_evidence[3]}, /* filter.multi_antenna_offset */
-    {0x0E, 0x02, "WRSLD", &gx3_25_evidence[3]}, /* gnss.signal_config */
-    {0x0E, 0x10, "WRSLD", &gx3_25_evidence[3]}, /* gnss.rtk_dongle_config */
-    {0x81, 0x03, "", &gx3_25_evidence[4]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &gx3_25_evidence[4]},      /* gnss_data.ned_velocity */
-    {0x81, 0x0B, "", &gx3_25_evidence[4]},      /* gnss_data.fix_info */
-    {0x82, 0x01, "", &gx3_25_evidence[3]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gx3_25_evidence[3]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &gx3_25_evidence[3]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x08, "", &gx3_25_evidence[3]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &gx3_25_evidence[3]},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &gx3_25_evidence[3]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0E, "", &gx3_25_evidence[3]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x10, "", &gx3_25_evidence[3]},      /* filter_data.status */
-    {0x82, 0x36, "", &gx3_25_evidence[3]},      /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, "", &gx3_25_evidence[3]},      /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, "", &gx3_25_evidence[3]},      /* filter_data.ecef_position */
-    {0x82, 0x41, "", &gx3_25_evidence[3]},      /* filter_data.ecef_velocity */
-    {0x82, 0x43, "", &gx3_25_evidence[4]},      /* filter_data.gnss_position_aiding_status */
-    {0x91, 0x03, "", &gx3_25_evidence[4]},      /* gnss_1.llh_position */
-    {0x91, 0x05, "", &gx3_25_evidence[4]},      /* gnss_1.ned_velocity */
-    {0x91, 0x0B, "", &gx3_25_evidence[4]},      /* gnss_1.fix_info */
+    {0x0C, 0x0C, "WRSLD", &gx3_25_evidence[3]}, {0x0C, 0x22, "WRSLD", &gx3_25_evidence[3]},
+    {0x0C, 0x43, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x10, "WRSLD", &gx3_25_evidence[3]},
+    {0x0D, 0x13, "WRSLD", &gx3_25_evidence[3]}, {0x0D, 0x43, "WRSLD", &gx3_25_evidence[3]},
+    {0x0D, 0x54, "WRSLD", &gx3_25_evidence[3]}, {0x0E, 0x02, "WRSLD", &gx3_25_evidence[3]},
+    {0x0E, 0x10, "WRSLD", &gx3_25_evidence[3]}, {0x81, 0x03, "", &gx3_25_evidence[4]},
+    {0x81, 0x05, "", &gx3_25_evidence[4]},      {0x81, 0x0B, "", &gx3_25_evidence[4]},
+    {0x82, 0x01, "", &gx3_25_evidence[3]},      {0x82, 0x02, "", &gx3_25_evidence[3]},
+    {0x82, 0x03, "", &gx3_25_evidence[3]},      {0x82, 0x08, "", &gx3_25_evidence[3]},
+    {0x82, 0x09, "", &gx3_25_evidence[3]},      {0x82, 0x0A, "", &gx3_25_evidence[3]},
+    {0x82, 0x0E, "", &gx3_25_evidence[3]},      {0x82, 0x10, "", &gx3_25_evidence[3]},
+    {0x82, 0x36, "", &gx3_25_evidence[3]},      {0x82, 0x37, "", &gx3_25_evidence[3]},
+    {0x82, 0x40, "", &gx3_25_evidence[3]},      {0x82, 0x41, "", &gx3_25_evidence[3]},
+    {0x82, 0x43, "", &gx3_25_evidence[4]},      {0x91, 0x03, "", &gx3_25_evidence[4]},
+    {0x91, 0x05, "", &gx3_25_evidence[4]},      {0x91, 0x0B, "", &gx3_25_evidence[4]},
 };
 
 static const struct mip_profile_reading gx3_25_readings[] = {
@@ -4800,33 +3729,20 @@ static const struct mip_profile_evidence gx3_35_evidence[] = {
 };
 
 static const struct mip_profile_field gx3_35_fields[] = {
-    {0x01, 0x01, "", &gx3_35_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &gx3_35_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &gx3_35_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &gx3_35_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx3_35_evidence[0]},      /* base.built_in_test */
-    {0x01, 0x06, "", &gx3_35_evidence[0]},      /* base.resume */
-    {0x0C, 0x01, "", &gx3_35_evidence[0]},      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gx3_35_evidence[0]},      /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", &gx3_35_evidence[0]},      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gx3_35_evidence[0]},      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.data_stream_control */
-    {0x0C, 0x34, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.gps_dynamics_mode */
-    {0x0C, 0x35, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", &gx3_35_evidence[0]},    /* 3dm.imu_timestamp */
-    {0x0C, 0x60, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.data_stream_format */
-    {0x0C, 0x61, "WRSLD", &gx3_35_evidence[0]}, /* 3dm.device_power_state */
-    {0x0C, 0x62, "SLD", &gx3_35_evidence[1]},   /* 3dm.gps_advanced_settings */
-    {0x0C, 0x64, "", &gx3_35_evidence[0]},      /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", &gx3_35_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx3_35_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx3_35_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx3_35_evidence[0]},      /* sensor.scaled_mag */
-    {0x81, 0x03, "", &gx3_35_evidence[0]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &gx3_35_evidence[0]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &gx3_35_evidence[0]},      /* gnss_data.gps_time */
+    {0x01, 0x01, "", &gx3_35_evidence[0]},      {0x01, 0x02, "", &gx3_35_evidence[0]},
+    {0x01, 0x03, "", &gx3_35_evidence[0]},      {0x01, 0x04, "", &gx3_35_evidence[0]},
+    {0x01, 0x05, "", &gx3_35_evidence[0]},      {0x01, 0x06, "", &gx3_35_evidence[0]},
+    {0x0C, 0x01, "", &gx3_35_evidence[0]},      {0x0C, 0x02, "", &gx3_35_evidence[0]},
+    {0x0C, 0x06, "", &gx3_35_evidence[0]},      {0x0C, 0x07, "", &gx3_35_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx3_35_evidence[0]}, {0x0C, 0x09, "WRSLD", &gx3_35_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &gx3_35_evidence[0]}, {0x0C, 0x34, "WRSLD", &gx3_35_evidence[0]},
+    {0x0C, 0x35, "WRSLD", &gx3_35_evidence[0]}, {0x0C, 0x36, "WR", &gx3_35_evidence[0]},
+    {0x0C, 0x60, "WRSLD", &gx3_35_evidence[0]}, {0x0C, 0x61, "WRSLD", &gx3_35_evidence[0]},
+    {0x0C, 0x62, "SLD", &gx3_35_evidence[1]},   {0x0C, 0x64, "", &gx3_35_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &gx3_35_evidence[0]}, {0x80, 0x04, "", &gx3_35_evidence[0]},
+    {0x80, 0x05, "", &gx3_35_evidence[0]},      {0x80, 0x06, "", &gx3_35_evidence[0]},
+    {0x81, 0x03, "", &gx3_35_evidence[0]},      {0x81, 0x05, "", &gx3_35_evidence[0]},
+    {0x81, 0x09, "", &gx3_35_evidence[0]},
 };
 
 static const struct mip_profile_note gx3_35_notes[] = {
@@ -4882,53 +3798,29 @@ static const struct mip_profile_evidence gx3_45_evidence[] = {
 };
 
 static const struct mip_profile_field gx3_45_fields[] = {
-    {0x01, 0x01, "", &gx3_45_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &gx3_45_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &gx3_45_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &gx3_45_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx3_45_evidence[0]},      /* base.built_in_test */
-    {0x01, 0x06, "", &gx3_45_evidence[2]},      /* base.resume */
-    {0x0C, 0x01, "", &gx3_45_evidence[2]},      /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gx3_45_evidence[2]},      /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", &gx3_45_evidence[0]},      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gx3_45_evidence[0]},      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx3_45_evidence[0]},      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx3_45_evidence[0]}, /* 3dm.data_stream_control */
-    {0x0C, 0x35, "WRSLD", &gx3_45_evidence[2]}, /* 3dm.imu_signal_conditioning */
-    {0x0C, 0x36, "WR", &gx3_45_evidence[2]},    /* 3dm.imu_timestamp */
-    {0x0C, 0x64, "", &gx3_45_evidence[2]},      /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx3_45_evidence[0]},      /* filter.reset */
-    {0x0D, 0x02, "", &gx3_45_evidence[0]},      /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx3_45_evidence[0]},      /* filter.set_initial_heading */
-    {0x0D, 0x04, "", &gx3_45_evidence[0]},      /* filter.set_initial_attitude_from_imu */
-    {0x0D, 0x10, "WRSLD", &gx3_45_evidence[0]}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &gx3_45_evidence[0]}, /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &gx3_45_evidence[0]}, /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &gx3_45_evidence[0]}, /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &gx3_45_evidence[0]}, /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &gx3_45_evidence[0]}, /* filter.gnss_source */
-    {0x0D, 0x18, "WRSLD", &gx3_45_evidence[0]}, /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx3_45_evidence[0]}, /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx3_45_evidence[0]}, /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx3_45_evidence[0]}, /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gx3_45_evidence[0]}, /* filter.gyro_bias_model */
-    {0x0D, 0x44, "WRSLD",
-     &gx3_45_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx3_45_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &gx3_45_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx3_45_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx3_45_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx3_45_evidence[0]},      /* sensor.scaled_mag */
-    {0x81, 0x03, "", &gx3_45_evidence[0]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &gx3_45_evidence[0]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &gx3_45_evidence[0]},      /* gnss_data.gps_time */
-    {0x82, 0x01, "", &gx3_45_evidence[0]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gx3_45_evidence[0]},      /* filter_data.ned_velocity */
-    {0x82, 0x05, "", &gx3_45_evidence[0]},      /* filter_data.euler_angles */
+    {0x01, 0x01, "", &gx3_45_evidence[0]},      {0x01, 0x02, "", &gx3_45_evidence[0]},
+    {0x01, 0x03, "", &gx3_45_evidence[0]},      {0x01, 0x04, "", &gx3_45_evidence[0]},
+    {0x01, 0x05, "", &gx3_45_evidence[0]},      {0x01, 0x06, "", &gx3_45_evidence[2]},
+    {0x0C, 0x01, "", &gx3_45_evidence[2]},      {0x0C, 0x02, "", &gx3_45_evidence[2]},
+    {0x0C, 0x06, "", &gx3_45_evidence[0]},      {0x0C, 0x07, "", &gx3_45_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx3_45_evidence[0]}, {0x0C, 0x09, "WRSLD", &gx3_45_evidence[0]},
+    {0x0C, 0x0A, "WRSLD", &gx3_45_evidence[0]}, {0x0C, 0x0B, "", &gx3_45_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &gx3_45_evidence[0]}, {0x0C, 0x35, "WRSLD", &gx3_45_evidence[2]},
+    {0x0C, 0x36, "WR", &gx3_45_evidence[2]},    {0x0C, 0x64, "", &gx3_45_evidence[2]},
+    {0x0D, 0x01, "", &gx3_45_evidence[0]},      {0x0D, 0x02, "", &gx3_45_evidence[0]},
+    {0x0D, 0x03, "", &gx3_45_evidence[0]},      {0x0D, 0x04, "", &gx3_45_evidence[0]},
+    {0x0D, 0x10, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x11, "WRSLD", &gx3_45_evidence[0]},
+    {0x0D, 0x12, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x13, "WRSLD", &gx3_45_evidence[0]},
+    {0x0D, 0x14, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x15, "WRSLD", &gx3_45_evidence[0]},
+    {0x0D, 0x18, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x19, "WRSLD", &gx3_45_evidence[0]},
+    {0x0D, 0x1A, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x1B, "WRSLD", &gx3_45_evidence[0]},
+    {0x0D, 0x1D, "WRSLD", &gx3_45_evidence[0]}, {0x0D, 0x44, "WRSLD", &gx3_45_evidence[1]},
+    {0x0D, 0x45, "WRSLD", &gx3_45_evidence[1]}, {0x7F, 0x10, "WRSLD", &gx3_45_evidence[0]},
+    {0x80, 0x04, "", &gx3_45_evidence[0]},      {0x80, 0x05, "", &gx3_45_evidence[0]},
+    {0x80, 0x06, "", &gx3_45_evidence[0]},      {0x81, 0x03, "", &gx3_45_evidence[0]},
+    {0x81, 0x05, "", &gx3_45_evidence[0]},      {0x81, 0x09, "", &gx3_45_evidence[0]},
+    {0x82, 0x01, "", &gx3_45_evidence[0]},      {0x82, 0x02, "", &gx3_45_evidence[0]},
+    {0x82, 0x05, "", &gx3_45_evidence[0]},
 };
 
 static const struct mip_profile_reading gx3_45_readings[] = {
@@ -4980,71 +3872,38 @@ static const struct mip_profile_evidence gx4_15_evidence[] = {
 };
 
 static const struct mip_profile_field gx4_15_fields[] = {
-    {0x01, 0x01, "", &gx4_15_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx4_15_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx4_15_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx4_15_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx4_15_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx4_15_evidence[2]},       /* base.resume */
-    {0x01, 0x7E, "", &gx4_15_evidence[2]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx4_15_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &gx4_15_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx4_15_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx4_15_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx4_15_evidence[2]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx4_15_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx4_15_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx4_15_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx4_15_evidence[2]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx4_15_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx4_15_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx4_15_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx4_15_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx4_15_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", &gx4_15_evidence[0]},  /* filter.estimation_control */
-    {0x0D, 0x19, "WRSLD", &gx4_15_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx4_15_evidence[0]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx4_15_evidence[0]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gx4_15_evidence[0]},  /* filter.gyro_bias_model */
-    {0x0D, 0x20, "WRSLD", &gx4_15_evidence[0]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &gx4_15_evidence[0]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &gx4_15_evidence[0]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &gx4_15_evidence[0]},  /* filter.reference_position */
-    {0x0D, 0x44, "WRSLD",
-     &gx4_15_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx4_15_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &gx4_15_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx4_15_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx4_15_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx4_15_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx4_15_evidence[2]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx4_15_evidence[2]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx4_15_evidence[2]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx4_15_evidence[2]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx4_15_evidence[2]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx4_15_evidence[2]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx4_15_evidence[2]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx4_15_evidence[2]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx4_15_evidence[2]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &gx4_15_evidence[2]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx4_15_evidence[2]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx4_15_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx4_15_evidence[2]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gx4_15_evidence[2]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx4_15_evidence[2]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gx4_15_evidence[2]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx4_15_evidence[2]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx4_15_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx4_15_evidence[2]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx4_15_evidence[2]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx4_15_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx4_15_evidence[2]},      /* filter_data.gravity_vector */
+    {0x01, 0x01, "", &gx4_15_evidence[0]},       {0x01, 0x02, "", &gx4_15_evidence[0]},
+    {0x01, 0x03, "", &gx4_15_evidence[0]},       {0x01, 0x04, "", &gx4_15_evidence[0]},
+    {0x01, 0x05, "", &gx4_15_evidence[0]},       {0x01, 0x06, "", &gx4_15_evidence[2]},
+    {0x01, 0x7E, "", &gx4_15_evidence[2]},       {0x0C, 0x01, "", &gx4_15_evidence[0]},
+    {0x0C, 0x03, "", &gx4_15_evidence[0]},       {0x0C, 0x06, "", &gx4_15_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx4_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &gx4_15_evidence[0]},
+    {0x0C, 0x0B, "", &gx4_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &gx4_15_evidence[0]},
+    {0x0C, 0x30, "SLD", &gx4_15_evidence[2]},    {0x0C, 0x37, "WRSLDA", &gx4_15_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx4_15_evidence[0]}, {0x0C, 0x39, "", &gx4_15_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx4_15_evidence[2]},  {0x0C, 0x40, "WRSLD", &gx4_15_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &gx4_15_evidence[2]},  {0x0C, 0x51, "WRSLD", &gx4_15_evidence[0]},
+    {0x0C, 0x64, "", &gx4_15_evidence[0]},       {0x0D, 0x01, "", &gx4_15_evidence[0]},
+    {0x0D, 0x02, "", &gx4_15_evidence[0]},       {0x0D, 0x03, "", &gx4_15_evidence[0]},
+    {0x0D, 0x14, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x19, "WRSLD", &gx4_15_evidence[0]},
+    {0x0D, 0x1A, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x1B, "WRSLD", &gx4_15_evidence[0]},
+    {0x0D, 0x1D, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x20, "WRSLD", &gx4_15_evidence[0]},
+    {0x0D, 0x21, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x23, "", &gx4_15_evidence[0]},
+    {0x0D, 0x26, "WRSLD", &gx4_15_evidence[0]},  {0x0D, 0x44, "WRSLD", &gx4_15_evidence[0]},
+    {0x0D, 0x45, "WRSLD", &gx4_15_evidence[1]},  {0x7F, 0x10, "WRSLD", &gx4_15_evidence[0]},
+    {0x80, 0x04, "", &gx4_15_evidence[0]},       {0x80, 0x05, "", &gx4_15_evidence[0]},
+    {0x80, 0x06, "", &gx4_15_evidence[0]},       {0x80, 0x07, "", &gx4_15_evidence[2]},
+    {0x80, 0x08, "", &gx4_15_evidence[2]},       {0x80, 0x09, "", &gx4_15_evidence[2]},
+    {0x80, 0x0A, "", &gx4_15_evidence[2]},       {0x80, 0x0C, "", &gx4_15_evidence[2]},
+    {0x80, 0x10, "", &gx4_15_evidence[2]},       {0x80, 0x11, "", &gx4_15_evidence[2]},
+    {0x80, 0x12, "", &gx4_15_evidence[2]},       {0x80, 0x17, "", &gx4_15_evidence[2]},
+    {0x82, 0x03, "", &gx4_15_evidence[2]},       {0x82, 0x04, "", &gx4_15_evidence[2]},
+    {0x82, 0x05, "", &gx4_15_evidence[0]},       {0x82, 0x06, "", &gx4_15_evidence[2]},
+    {0x82, 0x0A, "", &gx4_15_evidence[2]},       {0x82, 0x0B, "", &gx4_15_evidence[2]},
+    {0x82, 0x0D, "", &gx4_15_evidence[2]},       {0x82, 0x0E, "", &gx4_15_evidence[2]},
+    {0x82, 0x0F, "", &gx4_15_evidence[2]},       {0x82, 0x10, "", &gx4_15_evidence[2]},
+    {0x82, 0x11, "", &gx4_15_evidence[2]},       {0x82, 0x12, "", &gx4_15_evidence[2]},
+    {0x82, 0x13, "", &gx4_15_evidence[2]},
 };
 
 static const struct mip_profile_note gx4_15_notes[] = {
@@ -5111,88 +3970,48 @@ static const struct mip_profile_evidence gx4_25_evidence[] = {
 };
 
 static const struct mip_profile_field gx4_25_fields[] = {
-    {0x01, 0x01, "", &gx4_25_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx4_25_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx4_25_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx4_25_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx4_25_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx4_25_evidence[1]},       /* base.resume */
-    {0x01, 0x7E, "", &gx4_25_evidence[2]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx4_25_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &gx4_25_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx4_25_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx4_25_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx4_25_evidence[2]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx4_25_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gx4_25_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gx4_25_evidence[2]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx4_25_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx4_25_evidence[2]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx4_25_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx4_25_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx4_25_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx4_25_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx4_25_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &gx4_25_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &gx4_25_evidence[0]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &gx4_25_evidence[0]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gx4_25_evidence[0]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx4_25_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx4_25_evidence[0]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx4_25_evidence[0]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gx4_25_evidence[0]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &gx4_25_evidence[0]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gx4_25_evidence[0]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &gx4_25_evidence[0]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &gx4_25_evidence[0]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &gx4_25_evidence[0]},  /* filter.reference_position */
-    {0x0D, 0x41, "WRSLD", &gx4_25_evidence[1]},  /* filter.enable_measurements */
-    {0x0D, 0x42, "WRSLD", &gx4_25_evidence[0]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &gx4_25_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &gx4_25_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx4_25_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &gx4_25_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &gx4_25_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx4_25_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx4_25_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx4_25_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx4_25_evidence[2]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx4_25_evidence[2]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx4_25_evidence[2]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx4_25_evidence[2]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx4_25_evidence[2]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx4_25_evidence[2]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx4_25_evidence[2]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx4_25_evidence[2]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx4_25_evidence[1]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &gx4_25_evidence[1]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx4_25_evidence[2]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx4_25_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx4_25_evidence[1]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gx4_25_evidence[1]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx4_25_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gx4_25_evidence[2]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx4_25_evidence[2]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx4_25_evidence[2]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx4_25_evidence[2]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx4_25_evidence[2]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx4_25_evidence[2]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx4_25_evidence[2]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &gx4_25_evidence[2]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &gx4_25_evidence[2]},      /* filter_data.magnetic_model */
+    {0x01, 0x01, "", &gx4_25_evidence[0]},       {0x01, 0x02, "", &gx4_25_evidence[0]},
+    {0x01, 0x03, "", &gx4_25_evidence[0]},       {0x01, 0x04, "", &gx4_25_evidence[0]},
+    {0x01, 0x05, "", &gx4_25_evidence[0]},       {0x01, 0x06, "", &gx4_25_evidence[1]},
+    {0x01, 0x7E, "", &gx4_25_evidence[2]},       {0x0C, 0x01, "", &gx4_25_evidence[0]},
+    {0x0C, 0x03, "", &gx4_25_evidence[0]},       {0x0C, 0x06, "", &gx4_25_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx4_25_evidence[0]},  {0x0C, 0x0A, "WRSLD", &gx4_25_evidence[0]},
+    {0x0C, 0x0B, "", &gx4_25_evidence[0]},       {0x0C, 0x11, "WRSLD", &gx4_25_evidence[0]},
+    {0x0C, 0x30, "SLD", &gx4_25_evidence[2]},    {0x0C, 0x37, "WRSLDA", &gx4_25_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx4_25_evidence[0]}, {0x0C, 0x39, "", &gx4_25_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gx4_25_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &gx4_25_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx4_25_evidence[2]},  {0x0C, 0x40, "WRSLD", &gx4_25_evidence[1]},
+    {0x0C, 0x50, "WRSLD", &gx4_25_evidence[2]},  {0x0C, 0x51, "WRSLD", &gx4_25_evidence[0]},
+    {0x0C, 0x64, "", &gx4_25_evidence[0]},       {0x0D, 0x01, "", &gx4_25_evidence[0]},
+    {0x0D, 0x02, "", &gx4_25_evidence[0]},       {0x0D, 0x03, "", &gx4_25_evidence[0]},
+    {0x0D, 0x11, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x14, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x17, "", &gx4_25_evidence[0]},       {0x0D, 0x18, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x19, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x1A, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x1B, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x1D, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x1F, "", &gx4_25_evidence[0]},       {0x0D, 0x20, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x21, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x23, "", &gx4_25_evidence[0]},
+    {0x0D, 0x26, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x41, "WRSLD", &gx4_25_evidence[1]},
+    {0x0D, 0x42, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x43, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x44, "WRSLD", &gx4_25_evidence[0]},  {0x0D, 0x45, "WRSLD", &gx4_25_evidence[0]},
+    {0x0D, 0x46, "WRSLD", &gx4_25_evidence[0]},  {0x7F, 0x10, "WRSLD", &gx4_25_evidence[0]},
+    {0x80, 0x04, "", &gx4_25_evidence[0]},       {0x80, 0x05, "", &gx4_25_evidence[0]},
+    {0x80, 0x06, "", &gx4_25_evidence[0]},       {0x80, 0x07, "", &gx4_25_evidence[2]},
+    {0x80, 0x08, "", &gx4_25_evidence[2]},       {0x80, 0x09, "", &gx4_25_evidence[2]},
+    {0x80, 0x0A, "", &gx4_25_evidence[2]},       {0x80, 0x0C, "", &gx4_25_evidence[2]},
+    {0x80, 0x10, "", &gx4_25_evidence[2]},       {0x80, 0x11, "", &gx4_25_evidence[2]},
+    {0x80, 0x12, "", &gx4_25_evidence[2]},       {0x80, 0x17, "", &gx4_25_evidence[1]},
+    {0x82, 0x03, "", &gx4_25_evidence[1]},       {0x82, 0x04, "", &gx4_25_evidence[2]},
+    {0x82, 0x05, "", &gx4_25_evidence[0]},       {0x82, 0x06, "", &gx4_25_evidence[1]},
+    {0x82, 0x0A, "", &gx4_25_evidence[1]},       {0x82, 0x0B, "", &gx4_25_evidence[1]},
+    {0x82, 0x0D, "", &gx4_25_evidence[2]},       {0x82, 0x0E, "", &gx4_25_evidence[2]},
+    {0x82, 0x0F, "", &gx4_25_evidence[2]},       {0x82, 0x10, "", &gx4_25_evidence[2]},
+    {0x82, 0x11, "", &gx4_25_evidence[2]},       {0x82, 0x12, "", &gx4_25_evidence[2]},
+    {0x82, 0x13, "", &gx4_25_evidence[2]},       {0x82, 0x14, "", &gx4_25_evidence[2]},
+    {0x82, 0x15, "", &gx4_25_evidence[2]},
 };
 
 static const struct mip_profile_field gx4_25_refuses[] = {
-    {0x82, 0x07, "", &gx4_25_evidence[3]}, /* filter_data.accel_bias */
+    {0x82, 0x07, "", &gx4_25_evidence[3]},
 };
 
 static const struct mip_profile_rate gx4_25_rates[] = {
@@ -5261,98 +4080,51 @@ static const struct mip_profile_evidence gx4_45_evidence[] = {
 };
 
 static const struct mip_profile_field gx4_45_fields[] = {
-    {0x01, 0x01, "", &gx4_45_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx4_45_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx4_45_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx4_45_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx4_45_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx4_45_evidence[1]},       /* base.resume */
-    {0x01, 0x7E, "", &gx4_45_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx4_45_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gx4_45_evidence[0]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &gx4_45_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx4_45_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gx4_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx4_45_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx4_45_evidence[1]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx4_45_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gx4_45_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx4_45_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx4_45_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx4_45_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx4_45_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx4_45_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx4_45_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &gx4_45_evidence[0]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &gx4_45_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &gx4_45_evidence[0]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &gx4_45_evidence[0]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &gx4_45_evidence[0]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &gx4_45_evidence[0]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &gx4_45_evidence[0]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &gx4_45_evidence[0]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gx4_45_evidence[0]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx4_45_evidence[0]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx4_45_evidence[0]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &gx4_45_evidence[0]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &gx4_45_evidence[0]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &gx4_45_evidence[0]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gx4_45_evidence[0]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &gx4_45_evidence[0]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &gx4_45_evidence[0]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &gx4_45_evidence[0]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x42, "WRSLD", &gx4_45_evidence[0]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &gx4_45_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &gx4_45_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx4_45_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &gx4_45_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &gx4_45_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx4_45_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx4_45_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx4_45_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx4_45_evidence[1]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx4_45_evidence[1]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx4_45_evidence[1]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx4_45_evidence[1]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx4_45_evidence[1]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx4_45_evidence[1]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx4_45_evidence[1]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx4_45_evidence[1]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx4_45_evidence[1]},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &gx4_45_evidence[0]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &gx4_45_evidence[0]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &gx4_45_evidence[0]},      /* gnss_data.gps_time */
-    {0x82, 0x01, "", &gx4_45_evidence[0]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gx4_45_evidence[0]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &gx4_45_evidence[1]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx4_45_evidence[1]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx4_45_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx4_45_evidence[1]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gx4_45_evidence[1]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx4_45_evidence[1]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gx4_45_evidence[1]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx4_45_evidence[1]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx4_45_evidence[1]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx4_45_evidence[1]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx4_45_evidence[1]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx4_45_evidence[1]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx4_45_evidence[1]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &gx4_45_evidence[1]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &gx4_45_evidence[1]},      /* filter_data.magnetic_model */
+    {0x01, 0x01, "", &gx4_45_evidence[0]},       {0x01, 0x02, "", &gx4_45_evidence[0]},
+    {0x01, 0x03, "", &gx4_45_evidence[0]},       {0x01, 0x04, "", &gx4_45_evidence[0]},
+    {0x01, 0x05, "", &gx4_45_evidence[0]},       {0x01, 0x06, "", &gx4_45_evidence[1]},
+    {0x01, 0x7E, "", &gx4_45_evidence[1]},       {0x0C, 0x01, "", &gx4_45_evidence[0]},
+    {0x0C, 0x02, "", &gx4_45_evidence[0]},       {0x0C, 0x03, "", &gx4_45_evidence[0]},
+    {0x0C, 0x06, "", &gx4_45_evidence[0]},       {0x0C, 0x07, "", &gx4_45_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx4_45_evidence[0]},  {0x0C, 0x09, "WRSLD", &gx4_45_evidence[0]},
+    {0x0C, 0x0A, "WRSLD", &gx4_45_evidence[0]},  {0x0C, 0x0B, "", &gx4_45_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &gx4_45_evidence[0]},  {0x0C, 0x30, "SLD", &gx4_45_evidence[1]},
+    {0x0C, 0x37, "WRSLDA", &gx4_45_evidence[0]}, {0x0C, 0x38, "WRSLDA", &gx4_45_evidence[0]},
+    {0x0C, 0x39, "", &gx4_45_evidence[0]},       {0x0C, 0x3A, "WRSLDA", &gx4_45_evidence[0]},
+    {0x0C, 0x3B, "WRSLDA", &gx4_45_evidence[0]}, {0x0C, 0x3E, "WRSLD", &gx4_45_evidence[1]},
+    {0x0C, 0x40, "WRSLD", &gx4_45_evidence[1]},  {0x0C, 0x50, "WRSLD", &gx4_45_evidence[1]},
+    {0x0C, 0x51, "WRSLD", &gx4_45_evidence[0]},  {0x0C, 0x64, "", &gx4_45_evidence[0]},
+    {0x0D, 0x01, "", &gx4_45_evidence[0]},       {0x0D, 0x02, "", &gx4_45_evidence[0]},
+    {0x0D, 0x03, "", &gx4_45_evidence[0]},       {0x0D, 0x10, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x11, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x12, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x13, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x14, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x15, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x16, "", &gx4_45_evidence[0]},
+    {0x0D, 0x17, "", &gx4_45_evidence[0]},       {0x0D, 0x18, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x19, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x1A, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x1B, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x1C, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x1D, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x1E, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x1F, "", &gx4_45_evidence[0]},       {0x0D, 0x20, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x21, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x22, "", &gx4_45_evidence[0]},
+    {0x0D, 0x23, "", &gx4_45_evidence[0]},       {0x0D, 0x42, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x43, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x44, "WRSLD", &gx4_45_evidence[0]},
+    {0x0D, 0x45, "WRSLD", &gx4_45_evidence[0]},  {0x0D, 0x46, "WRSLD", &gx4_45_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &gx4_45_evidence[0]},  {0x80, 0x04, "", &gx4_45_evidence[0]},
+    {0x80, 0x05, "", &gx4_45_evidence[0]},       {0x80, 0x06, "", &gx4_45_evidence[0]},
+    {0x80, 0x07, "", &gx4_45_evidence[1]},       {0x80, 0x08, "", &gx4_45_evidence[1]},
+    {0x80, 0x09, "", &gx4_45_evidence[1]},       {0x80, 0x0A, "", &gx4_45_evidence[1]},
+    {0x80, 0x0C, "", &gx4_45_evidence[1]},       {0x80, 0x10, "", &gx4_45_evidence[1]},
+    {0x80, 0x11, "", &gx4_45_evidence[1]},       {0x80, 0x12, "", &gx4_45_evidence[1]},
+    {0x80, 0x17, "", &gx4_45_evidence[1]},       {0x81, 0x03, "", &gx4_45_evidence[0]},
+    {0x81, 0x05, "", &gx4_45_evidence[0]},       {0x81, 0x09, "", &gx4_45_evidence[0]},
+    {0x82, 0x01, "", &gx4_45_evidence[0]},       {0x82, 0x02, "", &gx4_45_evidence[0]},
+    {0x82, 0x03, "", &gx4_45_evidence[1]},       {0x82, 0x04, "", &gx4_45_evidence[1]},
+    {0x82, 0x05, "", &gx4_45_evidence[0]},       {0x82, 0x06, "", &gx4_45_evidence[1]},
+    {0x82, 0x0A, "", &gx4_45_evidence[1]},       {0x82, 0x0B, "", &gx4_45_evidence[1]},
+    {0x82, 0x0D, "", &gx4_45_evidence[1]},       {0x82, 0x0E, "", &gx4_45_evidence[1]},
+    {0x82, 0x0F, "", &gx4_45_evidence[1]},       {0x82, 0x10, "", &gx4_45_evidence[1]},
+    {0x82, 0x11, "", &gx4_45_evidence[1]},       {0x82, 0x12, "", &gx4_45_evidence[1]},
+    {0x82, 0x13, "", &gx4_45_evidence[1]},       {0x82, 0x14, "", &gx4_45_evidence[1]},
+    {0x82, 0x15, "", &gx4_45_evidence[1]},
 };
 
 static const struct mip_profile_note gx4_45_notes[] = {
@@ -5419,33 +4191,20 @@ static const struct mip_profile_evidence gx5_10_evidence[] = {
 };
 
 static const struct mip_profile_field gx5_10_fields[] = {
-    {0x01, 0x01, "", &gx5_10_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx5_10_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx5_10_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx5_10_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx5_10_evidence[1]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx5_10_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &gx5_10_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &gx5_10_evidence[1]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gx5_10_evidence[1]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx5_10_evidence[1]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x06, "", &gx5_10_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx5_10_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x11, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx5_10_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx5_10_evidence[1]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx5_10_evidence[1]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx5_10_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx5_10_evidence[1]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx5_10_evidence[1]},       /* 3dm.device_status */
-    {0x80, 0x04, "", &gx5_10_evidence[0]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx5_10_evidence[0]},       /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &gx5_10_evidence[1]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx5_10_evidence[1]},       /* sensor.delta_velocity */
-    {0x80, 0x12, "", &gx5_10_evidence[1]},       /* sensor.gps_timestamp */
+    {0x01, 0x01, "", &gx5_10_evidence[0]},       {0x01, 0x02, "", &gx5_10_evidence[0]},
+    {0x01, 0x03, "", &gx5_10_evidence[0]},       {0x01, 0x04, "", &gx5_10_evidence[0]},
+    {0x01, 0x05, "", &gx5_10_evidence[1]},       {0x01, 0x06, "", &gx5_10_evidence[0]},
+    {0x01, 0x07, "", &gx5_10_evidence[0]},       {0x01, 0x72, "WRA", &gx5_10_evidence[1]},
+    {0x01, 0x7E, "", &gx5_10_evidence[1]},       {0x0C, 0x01, "", &gx5_10_evidence[1]},
+    {0x0C, 0x06, "", &gx5_10_evidence[0]},       {0x0C, 0x08, "WRSLD", &gx5_10_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &gx5_10_evidence[1]},  {0x0C, 0x30, "SLD", &gx5_10_evidence[0]},
+    {0x0C, 0x37, "WRSLDA", &gx5_10_evidence[1]}, {0x0C, 0x38, "WRSLDA", &gx5_10_evidence[1]},
+    {0x0C, 0x39, "", &gx5_10_evidence[1]},       {0x0C, 0x3E, "WRSLD", &gx5_10_evidence[1]},
+    {0x0C, 0x40, "WRSLD", &gx5_10_evidence[1]},  {0x0C, 0x50, "WRSLD", &gx5_10_evidence[1]},
+    {0x0C, 0x51, "WRSLD", &gx5_10_evidence[1]},  {0x0C, 0x64, "", &gx5_10_evidence[1]},
+    {0x80, 0x04, "", &gx5_10_evidence[0]},       {0x80, 0x05, "", &gx5_10_evidence[0]},
+    {0x80, 0x07, "", &gx5_10_evidence[1]},       {0x80, 0x08, "", &gx5_10_evidence[1]},
+    {0x80, 0x12, "", &gx5_10_evidence[1]},
 };
 
 static const struct mip_profile_note gx5_10_notes[] = {
@@ -5502,85 +4261,48 @@ static const struct mip_profile_evidence gx5_15_evidence[] = {
 };
 
 static const struct mip_profile_field gx5_15_fields[] = {
-    {0x01, 0x01, "", &gx5_15_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx5_15_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx5_15_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx5_15_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx5_15_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx5_15_evidence[0]},       /* base.resume */
-    {0x01, 0x07, "", &gx5_15_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &gx5_15_evidence[0]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gx5_15_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx5_15_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &gx5_15_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx5_15_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx5_15_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx5_15_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx5_15_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx5_15_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx5_15_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx5_15_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx5_15_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx5_15_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx5_15_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx5_15_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &gx5_15_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &gx5_15_evidence[0]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &gx5_15_evidence[0]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gx5_15_evidence[0]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx5_15_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx5_15_evidence[0]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx5_15_evidence[0]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gx5_15_evidence[0]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, "", &gx5_15_evidence[0]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gx5_15_evidence[0]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", &gx5_15_evidence[0]},   /* filter.tare_orientation */
-    {0x0D, 0x23, "", &gx5_15_evidence[0]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &gx5_15_evidence[0]},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD", &gx5_15_evidence[0]},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD", &gx5_15_evidence[0]},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD",
-     &gx5_15_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD", &gx5_15_evidence[0]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &gx5_15_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx5_15_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx5_15_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x07, "", &gx5_15_evidence[0]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx5_15_evidence[0]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx5_15_evidence[0]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx5_15_evidence[0]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx5_15_evidence[0]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx5_15_evidence[0]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx5_15_evidence[0]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx5_15_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx5_15_evidence[0]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &gx5_15_evidence[0]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx5_15_evidence[0]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx5_15_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx5_15_evidence[0]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gx5_15_evidence[0]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx5_15_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gx5_15_evidence[0]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx5_15_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx5_15_evidence[0]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx5_15_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx5_15_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx5_15_evidence[0]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx5_15_evidence[0]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &gx5_15_evidence[0]},      /* filter_data.heading_update_state */
-    {0x82, 0x1C, "", &gx5_15_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gx5_15_evidence[0]},      /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", &gx5_15_evidence[0]},       {0x01, 0x02, "", &gx5_15_evidence[0]},
+    {0x01, 0x03, "", &gx5_15_evidence[0]},       {0x01, 0x04, "", &gx5_15_evidence[0]},
+    {0x01, 0x05, "", &gx5_15_evidence[0]},       {0x01, 0x06, "", &gx5_15_evidence[0]},
+    {0x01, 0x07, "", &gx5_15_evidence[0]},       {0x01, 0x72, "WRA", &gx5_15_evidence[0]},
+    {0x01, 0x7E, "", &gx5_15_evidence[0]},       {0x0C, 0x01, "", &gx5_15_evidence[0]},
+    {0x0C, 0x03, "", &gx5_15_evidence[0]},       {0x0C, 0x06, "", &gx5_15_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx5_15_evidence[0]},  {0x0C, 0x0A, "WRSLD", &gx5_15_evidence[0]},
+    {0x0C, 0x0B, "", &gx5_15_evidence[0]},       {0x0C, 0x11, "WRSLD", &gx5_15_evidence[0]},
+    {0x0C, 0x30, "SLD", &gx5_15_evidence[0]},    {0x0C, 0x37, "WRSLDA", &gx5_15_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx5_15_evidence[0]}, {0x0C, 0x39, "", &gx5_15_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx5_15_evidence[0]},  {0x0C, 0x40, "WRSLD", &gx5_15_evidence[0]},
+    {0x0C, 0x50, "WRSLD", &gx5_15_evidence[0]},  {0x0C, 0x51, "WRSLD", &gx5_15_evidence[0]},
+    {0x0C, 0x64, "", &gx5_15_evidence[0]},       {0x0D, 0x01, "", &gx5_15_evidence[0]},
+    {0x0D, 0x02, "", &gx5_15_evidence[0]},       {0x0D, 0x03, "", &gx5_15_evidence[0]},
+    {0x0D, 0x11, "WRSLD", &gx5_15_evidence[0]},  {0x0D, 0x14, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x17, "", &gx5_15_evidence[0]},       {0x0D, 0x18, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x19, "WRSLD", &gx5_15_evidence[0]},  {0x0D, 0x1A, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x1B, "WRSLD", &gx5_15_evidence[0]},  {0x0D, 0x1D, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x1F, "", &gx5_15_evidence[0]},       {0x0D, 0x20, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x21, "WSLD", &gx5_15_evidence[0]},   {0x0D, 0x23, "", &gx5_15_evidence[0]},
+    {0x0D, 0x26, "WRSLD", &gx5_15_evidence[0]},  {0x0D, 0x28, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x41, "WRSLD", &gx5_15_evidence[0]},  {0x0D, 0x44, "WRSLD", &gx5_15_evidence[0]},
+    {0x0D, 0x4B, "WRSLD", &gx5_15_evidence[0]},  {0x7F, 0x10, "WRSLD", &gx5_15_evidence[0]},
+    {0x80, 0x04, "", &gx5_15_evidence[0]},       {0x80, 0x05, "", &gx5_15_evidence[0]},
+    {0x80, 0x07, "", &gx5_15_evidence[0]},       {0x80, 0x08, "", &gx5_15_evidence[0]},
+    {0x80, 0x09, "", &gx5_15_evidence[0]},       {0x80, 0x0A, "", &gx5_15_evidence[0]},
+    {0x80, 0x0C, "", &gx5_15_evidence[0]},       {0x80, 0x10, "", &gx5_15_evidence[0]},
+    {0x80, 0x11, "", &gx5_15_evidence[0]},       {0x80, 0x12, "", &gx5_15_evidence[0]},
+    {0x80, 0x17, "", &gx5_15_evidence[0]},       {0x82, 0x03, "", &gx5_15_evidence[0]},
+    {0x82, 0x04, "", &gx5_15_evidence[0]},       {0x82, 0x05, "", &gx5_15_evidence[0]},
+    {0x82, 0x06, "", &gx5_15_evidence[0]},       {0x82, 0x0A, "", &gx5_15_evidence[0]},
+    {0x82, 0x0B, "", &gx5_15_evidence[0]},       {0x82, 0x0D, "", &gx5_15_evidence[0]},
+    {0x82, 0x0E, "", &gx5_15_evidence[0]},       {0x82, 0x0F, "", &gx5_15_evidence[0]},
+    {0x82, 0x10, "", &gx5_15_evidence[0]},       {0x82, 0x11, "", &gx5_15_evidence[0]},
+    {0x82, 0x12, "", &gx5_15_evidence[0]},       {0x82, 0x13, "", &gx5_15_evidence[0]},
+    {0x82, 0x14, "", &gx5_15_evidence[0]},       {0x82, 0x1C, "", &gx5_15_evidence[0]},
+    {0x82, 0x21, "", &gx5_15_evidence[0]},
 };
 
 static const struct mip_profile_field gx5_15_refuses[] = {
-    {0x80, 0x01, "", &gx5_15_evidence[1]}, /* sensor.raw_accel */
-    {0x80, 0x02, "", &gx5_15_evidence[1]}, /* sensor.raw_gyro */
+    {0x80, 0x01, "", &gx5_15_evidence[1]},
+    {0x80, 0x02, "", &gx5_15_evidence[1]},
 };
 
 static const struct mip_profile_rate gx5_15_rates[] = {
@@ -5709,118 +4431,63 @@ static const struct mip_profile_evidence gx5_25_evidence[] = {
 };
 
 static const struct mip_profile_field gx5_25_fields[] = {
-    {0x01, 0x01, "", &gx5_25_evidence[1]},       /* base.ping */
-    {0x01, 0x02, "", &gx5_25_evidence[1]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx5_25_evidence[2]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx5_25_evidence[5]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx5_25_evidence[6]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx5_25_evidence[1]},       /* base.resume */
-    {0x01, 0x07, "", &gx5_25_evidence[5]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &gx5_25_evidence[6]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gx5_25_evidence[6]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx5_25_evidence[6]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, "", &gx5_25_evidence[6]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx5_25_evidence[1]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx5_25_evidence[1]},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx5_25_evidence[1]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx5_25_evidence[1]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", &gx5_25_evidence[1]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx5_25_evidence[1]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gx5_25_evidence[3]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx5_25_evidence[6]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx5_25_evidence[6]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx5_25_evidence[3]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx5_25_evidence[3]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx5_25_evidence[2]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx5_25_evidence[3]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx5_25_evidence[3]},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD", &gx5_25_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD", &gx5_25_evidence[3]},  /* filter.estimation_control */
-    {0x0D, 0x17, "", &gx5_25_evidence[6]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gx5_25_evidence[2]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx5_25_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx5_25_evidence[3]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx5_25_evidence[3]},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD", &gx5_25_evidence[3]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &gx5_25_evidence[3]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &gx5_25_evidence[6]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gx5_25_evidence[3]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &gx5_25_evidence[3]},  /* filter.tare_orientation */
-    {0x0D, 0x23, "", &gx5_25_evidence[6]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &gx5_25_evidence[3]},  /* filter.reference_position */
-    {0x0D, 0x27, "WS", &gx5_25_evidence[6]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &gx5_25_evidence[6]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &gx5_25_evidence[6]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &gx5_25_evidence[6]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &gx5_25_evidence[6]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x41, "WRSLD", &gx5_25_evidence[6]},  /* filter.enable_measurements */
-    {0x0D, 0x42, "WRSLD", &gx5_25_evidence[4]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &gx5_25_evidence[6]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &gx5_25_evidence[3]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx5_25_evidence[4]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &gx5_25_evidence[6]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &gx5_25_evidence[6]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &gx5_25_evidence[6]}, /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD", &gx5_25_evidence[3]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx5_25_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx5_25_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx5_25_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx5_25_evidence[0]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx5_25_evidence[0]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx5_25_evidence[0]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx5_25_evidence[0]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx5_25_evidence[0]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx5_25_evidence[0]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx5_25_evidence[0]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx5_25_evidence[0]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx5_25_evidence[0]},      /* sensor.scaled_pressure */
-    {0x82, 0x03, "", &gx5_25_evidence[0]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx5_25_evidence[0]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx5_25_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx5_25_evidence[0]},      /* filter_data.gyro_bias */
-    {0x82, 0x0A, "", &gx5_25_evidence[0]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx5_25_evidence[0]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, "", &gx5_25_evidence[0]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx5_25_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx5_25_evidence[0]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx5_25_evidence[0]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx5_25_evidence[0]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx5_25_evidence[0]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx5_25_evidence[0]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &gx5_25_evidence[0]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &gx5_25_evidence[0]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &gx5_25_evidence[0]},      /* filter_data.comp_accel */
-    {0x82, 0x21, "", &gx5_25_evidence[0]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &gx5_25_evidence[0]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &gx5_25_evidence[0]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &gx5_25_evidence[0]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &gx5_25_evidence[0]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &gx5_25_evidence[1]},       {0x01, 0x02, "", &gx5_25_evidence[1]},
+    {0x01, 0x03, "", &gx5_25_evidence[2]},       {0x01, 0x04, "", &gx5_25_evidence[5]},
+    {0x01, 0x05, "", &gx5_25_evidence[6]},       {0x01, 0x06, "", &gx5_25_evidence[1]},
+    {0x01, 0x07, "", &gx5_25_evidence[5]},       {0x01, 0x72, "WRA", &gx5_25_evidence[6]},
+    {0x01, 0x7E, "", &gx5_25_evidence[6]},       {0x0C, 0x01, "", &gx5_25_evidence[6]},
+    {0x0C, 0x03, "", &gx5_25_evidence[6]},       {0x0C, 0x06, "", &gx5_25_evidence[1]},
+    {0x0C, 0x08, "WRSLD", &gx5_25_evidence[1]},  {0x0C, 0x0A, "WRSLD", &gx5_25_evidence[1]},
+    {0x0C, 0x0B, "", &gx5_25_evidence[1]},       {0x0C, 0x11, "WRSLD", &gx5_25_evidence[3]},
+    {0x0C, 0x30, "SLD", &gx5_25_evidence[1]},    {0x0C, 0x37, "WRSLDA", &gx5_25_evidence[3]},
+    {0x0C, 0x38, "WRSLDA", &gx5_25_evidence[3]}, {0x0C, 0x39, "", &gx5_25_evidence[1]},
+    {0x0C, 0x3A, "WRSLDA", &gx5_25_evidence[3]}, {0x0C, 0x3B, "WRSLDA", &gx5_25_evidence[3]},
+    {0x0C, 0x3E, "WRSLD", &gx5_25_evidence[3]},  {0x0C, 0x40, "WRSLD", &gx5_25_evidence[6]},
+    {0x0C, 0x50, "WRSLD", &gx5_25_evidence[6]},  {0x0C, 0x51, "WRSLD", &gx5_25_evidence[3]},
+    {0x0C, 0x64, "", &gx5_25_evidence[3]},       {0x0D, 0x01, "", &gx5_25_evidence[2]},
+    {0x0D, 0x02, "", &gx5_25_evidence[3]},       {0x0D, 0x03, "", &gx5_25_evidence[3]},
+    {0x0D, 0x11, "WRSLD", &gx5_25_evidence[1]},  {0x0D, 0x14, "WRSLD", &gx5_25_evidence[3]},
+    {0x0D, 0x17, "", &gx5_25_evidence[6]},       {0x0D, 0x18, "WRSLD", &gx5_25_evidence[2]},
+    {0x0D, 0x19, "WRSLD", &gx5_25_evidence[1]},  {0x0D, 0x1A, "WRSLD", &gx5_25_evidence[3]},
+    {0x0D, 0x1B, "WRSLD", &gx5_25_evidence[3]},  {0x0D, 0x1D, "WRSLD", &gx5_25_evidence[3]},
+    {0x0D, 0x1E, "WRSLD", &gx5_25_evidence[3]},  {0x0D, 0x1F, "", &gx5_25_evidence[6]},
+    {0x0D, 0x20, "WRSLD", &gx5_25_evidence[3]},  {0x0D, 0x21, "WRSLD", &gx5_25_evidence[3]},
+    {0x0D, 0x23, "", &gx5_25_evidence[6]},       {0x0D, 0x26, "WRSLD", &gx5_25_evidence[3]},
+    {0x0D, 0x27, "WS", &gx5_25_evidence[6]},     {0x0D, 0x28, "WRSLD", &gx5_25_evidence[6]},
+    {0x0D, 0x29, "WRSLD", &gx5_25_evidence[6]},  {0x0D, 0x2B, "WRSLD", &gx5_25_evidence[6]},
+    {0x0D, 0x2C, "WRSLD", &gx5_25_evidence[6]},  {0x0D, 0x41, "WRSLD", &gx5_25_evidence[6]},
+    {0x0D, 0x42, "WRSLD", &gx5_25_evidence[4]},  {0x0D, 0x43, "WRSLD", &gx5_25_evidence[6]},
+    {0x0D, 0x44, "WRSLD", &gx5_25_evidence[3]},  {0x0D, 0x45, "WRSLD", &gx5_25_evidence[4]},
+    {0x0D, 0x46, "WRSLD", &gx5_25_evidence[6]},  {0x0D, 0x47, "WRSLD", &gx5_25_evidence[6]},
+    {0x0D, 0x4B, "WRSLD", &gx5_25_evidence[6]},  {0x7F, 0x10, "WRSLD", &gx5_25_evidence[3]},
+    {0x80, 0x04, "", &gx5_25_evidence[0]},       {0x80, 0x05, "", &gx5_25_evidence[0]},
+    {0x80, 0x06, "", &gx5_25_evidence[0]},       {0x80, 0x07, "", &gx5_25_evidence[0]},
+    {0x80, 0x08, "", &gx5_25_evidence[0]},       {0x80, 0x09, "", &gx5_25_evidence[0]},
+    {0x80, 0x0A, "", &gx5_25_evidence[0]},       {0x80, 0x0C, "", &gx5_25_evidence[0]},
+    {0x80, 0x10, "", &gx5_25_evidence[0]},       {0x80, 0x11, "", &gx5_25_evidence[0]},
+    {0x80, 0x12, "", &gx5_25_evidence[0]},       {0x80, 0x17, "", &gx5_25_evidence[0]},
+    {0x82, 0x03, "", &gx5_25_evidence[0]},       {0x82, 0x04, "", &gx5_25_evidence[0]},
+    {0x82, 0x05, "", &gx5_25_evidence[0]},       {0x82, 0x06, "", &gx5_25_evidence[0]},
+    {0x82, 0x0A, "", &gx5_25_evidence[0]},       {0x82, 0x0B, "", &gx5_25_evidence[0]},
+    {0x82, 0x0D, "", &gx5_25_evidence[0]},       {0x82, 0x0E, "", &gx5_25_evidence[0]},
+    {0x82, 0x0F, "", &gx5_25_evidence[0]},       {0x82, 0x10, "", &gx5_25_evidence[0]},
+    {0x82, 0x11, "", &gx5_25_evidence[0]},       {0x82, 0x12, "", &gx5_25_evidence[0]},
+    {0x82, 0x13, "", &gx5_25_evidence[0]},       {0x82, 0x14, "", &gx5_25_evidence[0]},
+    {0x82, 0x15, "", &gx5_25_evidence[0]},       {0x82, 0x1C, "", &gx5_25_evidence[0]},
+    {0x82, 0x21, "", &gx5_25_evidence[0]},       {0x82, 0x25, "", &gx5_25_evidence[0]},
+    {0x82, 0x26, "", &gx5_25_evidence[0]},       {0x82, 0x28, "", &gx5_25_evidence[0]},
+    {0x82, 0x29, "", &gx5_25_evidence[0]},
 };
 
 static const struct mip_profile_field gx5_25_refuses[] = {
-    {0x0C, 0x41, "WRSLD", &gx5_25_evidence[7]}, /* 3dm.gpio_config */
-    {0x80, 0x18, "", &gx5_25_evidence[8]},      /* sensor.overrange_status */
-    {0x81, 0x03, "", &gx5_25_evidence[7]},      /* gnss_data.llh_position */
-    {0x81, 0x0B, "", &gx5_25_evidence[7]},      /* gnss_data.fix_info */
-    {0x82, 0x01, "", &gx5_25_evidence[8]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gx5_25_evidence[9]},      /* filter_data.ned_velocity */
-    {0x82, 0x08, "", &gx5_25_evidence[8]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x43, "", &gx5_25_evidence[7]},      /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x49, "", &gx5_25_evidence[7]},      /* filter_data.gnss_dual_antenna_status */
-    {0x91, 0x03, "", &gx5_25_evidence[7]},      /* gnss_1.llh_position */
-    {0x91, 0x0B, "", &gx5_25_evidence[7]},      /* gnss_1.fix_info */
-    {0x92, 0x0B, "", &gx5_25_evidence[8]},      /* gnss_2.fix_info */
-    {0x92, 0x12, "", &gx5_25_evidence[8]},      /* gnss_2.sbas_info */
-    {0x92, 0x14, "", &gx5_25_evidence[8]},      /* gnss_2.rf_error_detection */
-    {0x93, 0x31, "", &gx5_25_evidence[7]},      /* gnss_corrections.rtk_corrections_status */
+    {0x0C, 0x41, "WRSLD", &gx5_25_evidence[7]}, {0x80, 0x18, "", &gx5_25_evidence[8]},
+    {0x81, 0x03, "", &gx5_25_evidence[7]},      {0x81, 0x0B, "", &gx5_25_evidence[7]},
+    {0x82, 0x01, "", &gx5_25_evidence[8]},      {0x82, 0x02, "", &gx5_25_evidence[9]},
+    {0x82, 0x08, "", &gx5_25_evidence[8]},      {0x82, 0x43, "", &gx5_25_evidence[7]},
+    {0x82, 0x49, "", &gx5_25_evidence[7]},      {0x91, 0x03, "", &gx5_25_evidence[7]},
+    {0x91, 0x0B, "", &gx5_25_evidence[7]},      {0x92, 0x0B, "", &gx5_25_evidence[8]},
+    {0x92, 0x12, "", &gx5_25_evidence[8]},      {0x92, 0x14, "", &gx5_25_evidence[8]},
+    {0x93, 0x31, "", &gx5_25_evidence[7]},
 };
 
 static const struct mip_profile_note gx5_25_notes[] = {
@@ -5885,63 +4552,35 @@ static const struct mip_profile_evidence gx5_35_evidence[] = {
 };
 
 static const struct mip_profile_field gx5_35_fields[] = {
-    {0x01, 0x01, "", &gx5_35_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &gx5_35_evidence[1]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx5_35_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx5_35_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx5_35_evidence[2]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx5_35_evidence[1]},       /* base.resume */
-    {0x01, 0x07, "", &gx5_35_evidence[0]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &gx5_35_evidence[0]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gx5_35_evidence[2]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx5_35_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gx5_35_evidence[2]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "", &gx5_35_evidence[1]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gx5_35_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", &gx5_35_evidence[0]},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", &gx5_35_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx5_35_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx5_35_evidence[2]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx5_35_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gx5_35_evidence[2]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gx5_35_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx5_35_evidence[2]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx5_35_evidence[0]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx5_35_evidence[0]},       /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", &gx5_35_evidence[0]},  /* system.comm_mode */
-    {0x80, 0x04, "", &gx5_35_evidence[0]},       /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx5_35_evidence[0]},       /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx5_35_evidence[0]},       /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx5_35_evidence[0]},       /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx5_35_evidence[2]},       /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx5_35_evidence[2]},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx5_35_evidence[2]},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx5_35_evidence[2]},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx5_35_evidence[2]},       /* sensor.north_vector */
-    {0x80, 0x11, "", &gx5_35_evidence[0]},       /* sensor.up_vector */
-    {0x80, 0x12, "", &gx5_35_evidence[0]},       /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx5_35_evidence[0]},       /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &gx5_35_evidence[2]},       /* gnss_data.llh_position */
-    {0x81, 0x04, "", &gx5_35_evidence[2]},       /* gnss_data.ecef_position */
-    {0x81, 0x05, "", &gx5_35_evidence[2]},       /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", &gx5_35_evidence[0]},       /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", &gx5_35_evidence[2]},       /* gnss_data.dop */
-    {0x81, 0x08, "", &gx5_35_evidence[2]},       /* gnss_data.utc_time */
-    {0x81, 0x09, "", &gx5_35_evidence[2]},       /* gnss_data.gps_time */
-    {0x81, 0x0A, "", &gx5_35_evidence[2]},       /* gnss_data.clock_info */
-    {0x81, 0x0B, "", &gx5_35_evidence[2]},       /* gnss_data.fix_info */
-    {0x81, 0x0C, "", &gx5_35_evidence[2]},       /* gnss_data.sv_info */
-    {0x81, 0x0D, "", &gx5_35_evidence[2]},       /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", &gx5_35_evidence[0]},       /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", &gx5_35_evidence[2]},       /* gnss_data.dgps_channel */
+    {0x01, 0x01, "", &gx5_35_evidence[0]},       {0x01, 0x02, "", &gx5_35_evidence[1]},
+    {0x01, 0x03, "", &gx5_35_evidence[0]},       {0x01, 0x04, "", &gx5_35_evidence[0]},
+    {0x01, 0x05, "", &gx5_35_evidence[2]},       {0x01, 0x06, "", &gx5_35_evidence[1]},
+    {0x01, 0x07, "", &gx5_35_evidence[0]},       {0x01, 0x72, "WRA", &gx5_35_evidence[0]},
+    {0x01, 0x7E, "", &gx5_35_evidence[2]},       {0x0C, 0x01, "", &gx5_35_evidence[0]},
+    {0x0C, 0x02, "", &gx5_35_evidence[2]},       {0x0C, 0x06, "", &gx5_35_evidence[1]},
+    {0x0C, 0x07, "", &gx5_35_evidence[0]},       {0x0C, 0x08, "WRSLD", &gx5_35_evidence[0]},
+    {0x0C, 0x09, "WRSLD", &gx5_35_evidence[0]},  {0x0C, 0x11, "WRSLD", &gx5_35_evidence[0]},
+    {0x0C, 0x21, "WRSLD", &gx5_35_evidence[0]},  {0x0C, 0x22, "WRSLD", &gx5_35_evidence[0]},
+    {0x0C, 0x23, "WRSLD", &gx5_35_evidence[0]},  {0x0C, 0x24, "WR", &gx5_35_evidence[0]},
+    {0x0C, 0x30, "SLD", &gx5_35_evidence[0]},    {0x0C, 0x37, "WRSLDA", &gx5_35_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx5_35_evidence[2]}, {0x0C, 0x39, "", &gx5_35_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gx5_35_evidence[2]}, {0x0C, 0x3B, "WRSLDA", &gx5_35_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx5_35_evidence[2]},  {0x0C, 0x40, "WRSLD", &gx5_35_evidence[2]},
+    {0x0C, 0x50, "WRSLD", &gx5_35_evidence[2]},  {0x0C, 0x51, "WRSLD", &gx5_35_evidence[0]},
+    {0x0C, 0x64, "", &gx5_35_evidence[0]},       {0x7F, 0x10, "WRSLD", &gx5_35_evidence[0]},
+    {0x80, 0x04, "", &gx5_35_evidence[0]},       {0x80, 0x05, "", &gx5_35_evidence[0]},
+    {0x80, 0x06, "", &gx5_35_evidence[0]},       {0x80, 0x07, "", &gx5_35_evidence[0]},
+    {0x80, 0x08, "", &gx5_35_evidence[2]},       {0x80, 0x09, "", &gx5_35_evidence[2]},
+    {0x80, 0x0A, "", &gx5_35_evidence[2]},       {0x80, 0x0C, "", &gx5_35_evidence[2]},
+    {0x80, 0x10, "", &gx5_35_evidence[2]},       {0x80, 0x11, "", &gx5_35_evidence[0]},
+    {0x80, 0x12, "", &gx5_35_evidence[0]},       {0x80, 0x17, "", &gx5_35_evidence[0]},
+    {0x81, 0x03, "", &gx5_35_evidence[2]},       {0x81, 0x04, "", &gx5_35_evidence[2]},
+    {0x81, 0x05, "", &gx5_35_evidence[2]},       {0x81, 0x06, "", &gx5_35_evidence[0]},
+    {0x81, 0x07, "", &gx5_35_evidence[2]},       {0x81, 0x08, "", &gx5_35_evidence[2]},
+    {0x81, 0x09, "", &gx5_35_evidence[2]},       {0x81, 0x0A, "", &gx5_35_evidence[2]},
+    {0x81, 0x0B, "", &gx5_35_evidence[2]},       {0x81, 0x0C, "", &gx5_35_evidence[2]},
+    {0x81, 0x0D, "", &gx5_35_evidence[2]},       {0x81, 0x0E, "", &gx5_35_evidence[0]},
+    {0x81, 0x0F, "", &gx5_35_evidence[2]},
 };
 
 static const struct mip_profile_rate gx5_35_rates[] = {
@@ -6031,139 +4670,73 @@ static const struct mip_profile_evidence gx5_45_evidence[] = {
 };
 
 static const struct mip_profile_field gx5_45_fields[] = {
-    {0x01, 0x01, "", &gx5_45_evidence[2]},       /* base.ping */
-    {0x01, 0x02, "", &gx5_45_evidence[2]},       /* base.set_idle */
-    {0x01, 0x03, "", &gx5_45_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &gx5_45_evidence[7]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &gx5_45_evidence[8]},       /* base.built_in_test */
-    {0x01, 0x06, "", &gx5_45_evidence[1]},       /* base.resume */
-    {0x01, 0x07, "", &gx5_45_evidence[1]},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", &gx5_45_evidence[8]},    /* base.gps_time_update */
-    {0x01, 0x7E, "", &gx5_45_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &gx5_45_evidence[8]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &gx5_45_evidence[0]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &gx5_45_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &gx5_45_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &gx5_45_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &gx5_45_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", &gx5_45_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x21, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", &gx5_45_evidence[8]},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", &gx5_45_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &gx5_45_evidence[3]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &gx5_45_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &gx5_45_evidence[4]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &gx5_45_evidence[0]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &gx5_45_evidence[8]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", &gx5_45_evidence[4]},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", &gx5_45_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &gx5_45_evidence[2]},       /* filter.reset */
-    {0x0D, 0x02, "", &gx5_45_evidence[4]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &gx5_45_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &gx5_45_evidence[0]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &gx5_45_evidence[0]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &gx5_45_evidence[0]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &gx5_45_evidence[0]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &gx5_45_evidence[0]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &gx5_45_evidence[0]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &gx5_45_evidence[0]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &gx5_45_evidence[0]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &gx5_45_evidence[0]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &gx5_45_evidence[0]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &gx5_45_evidence[0]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &gx5_45_evidence[0]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &gx5_45_evidence[0]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &gx5_45_evidence[0]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &gx5_45_evidence[0]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", &gx5_45_evidence[0]},   /* filter.tare_orientation */
-    {0x0D, 0x22, "", &gx5_45_evidence[0]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &gx5_45_evidence[0]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD", &gx5_45_evidence[4]},  /* filter.reference_position */
-    {0x0D, 0x27, "WS", &gx5_45_evidence[0]},     /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", &gx5_45_evidence[0]},  /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", &gx5_45_evidence[0]},  /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", &gx5_45_evidence[0]},  /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", &gx5_45_evidence[0]},  /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", &gx5_45_evidence[0]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &gx5_45_evidence[0]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &gx5_45_evidence[0]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &gx5_45_evidence[0]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &gx5_45_evidence[0]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x0D, 0x47, "WRSLD", &gx5_45_evidence[0]}, /* filter.altitude_aiding */
-    {0x0D, 0x4B, "WRSLD", &gx5_45_evidence[0]}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD", &gx5_45_evidence[5]}, /* filter.adaptive_filter_options */
-    {0x7F, 0x10, "WRSLD", &gx5_45_evidence[0]}, /* system.comm_mode */
-    {0x80, 0x04, "", &gx5_45_evidence[0]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &gx5_45_evidence[0]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &gx5_45_evidence[0]},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", &gx5_45_evidence[8]},      /* sensor.delta_theta */
-    {0x80, 0x08, "", &gx5_45_evidence[8]},      /* sensor.delta_velocity */
-    {0x80, 0x09, "", &gx5_45_evidence[8]},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "", &gx5_45_evidence[6]},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, "", &gx5_45_evidence[8]},      /* sensor.comp_euler_angles */
-    {0x80, 0x10, "", &gx5_45_evidence[8]},      /* sensor.north_vector */
-    {0x80, 0x11, "", &gx5_45_evidence[8]},      /* sensor.up_vector */
-    {0x80, 0x12, "", &gx5_45_evidence[2]},      /* sensor.gps_timestamp */
-    {0x80, 0x17, "", &gx5_45_evidence[6]},      /* sensor.scaled_pressure */
-    {0x81, 0x03, "", &gx5_45_evidence[6]},      /* gnss_data.llh_position */
-    {0x81, 0x04, "", &gx5_45_evidence[8]},      /* gnss_data.ecef_position */
-    {0x81, 0x05, "", &gx5_45_evidence[6]},      /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", &gx5_45_evidence[8]},      /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "", &gx5_45_evidence[6]},      /* gnss_data.dop */
-    {0x81, 0x08, "", &gx5_45_evidence[8]},      /* gnss_data.utc_time */
-    {0x81, 0x09, "", &gx5_45_evidence[8]},      /* gnss_data.gps_time */
-    {0x81, 0x0A, "", &gx5_45_evidence[8]},      /* gnss_data.clock_info */
-    {0x81, 0x0B, "", &gx5_45_evidence[2]},      /* gnss_data.fix_info */
-    {0x81, 0x0C, "", &gx5_45_evidence[0]},      /* gnss_data.sv_info */
-    {0x81, 0x0D, "", &gx5_45_evidence[0]},      /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", &gx5_45_evidence[0]},      /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", &gx5_45_evidence[0]},      /* gnss_data.dgps_channel */
-    {0x82, 0x01, "", &gx5_45_evidence[2]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &gx5_45_evidence[2]},      /* filter_data.ned_velocity */
-    {0x82, 0x03, "", &gx5_45_evidence[6]},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, "", &gx5_45_evidence[0]},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", &gx5_45_evidence[0]},      /* filter_data.euler_angles */
-    {0x82, 0x06, "", &gx5_45_evidence[9]},      /* filter_data.gyro_bias */
-    {0x82, 0x07, "", &gx5_45_evidence[9]},      /* filter_data.accel_bias */
-    {0x82, 0x08, "", &gx5_45_evidence[9]},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, "", &gx5_45_evidence[9]},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, "", &gx5_45_evidence[9]},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, "", &gx5_45_evidence[9]},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, "", &gx5_45_evidence[9]},      /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, "", &gx5_45_evidence[9]},      /* filter_data.linear_accel */
-    {0x82, 0x0E, "", &gx5_45_evidence[0]},      /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, "", &gx5_45_evidence[9]},      /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, "", &gx5_45_evidence[2]},      /* filter_data.status */
-    {0x82, 0x11, "", &gx5_45_evidence[2]},      /* filter_data.timestamp */
-    {0x82, 0x12, "", &gx5_45_evidence[9]},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, "", &gx5_45_evidence[9]},      /* filter_data.gravity_vector */
-    {0x82, 0x14, "", &gx5_45_evidence[0]},      /* filter_data.heading_update_state */
-    {0x82, 0x15, "", &gx5_45_evidence[9]},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, "", &gx5_45_evidence[9]},      /* filter_data.comp_accel */
-    {0x82, 0x20, "", &gx5_45_evidence[9]},      /* filter_data.standard_atmosphere */
-    {0x82, 0x21, "", &gx5_45_evidence[9]},      /* filter_data.pressure_altitude */
-    {0x82, 0x25, "", &gx5_45_evidence[9]},      /* filter_data.mag_offset */
-    {0x82, 0x26, "", &gx5_45_evidence[9]},      /* filter_data.mag_matrix */
-    {0x82, 0x28, "", &gx5_45_evidence[9]},      /* filter_data.mag_offset_uncertainty */
-    {0x82, 0x29, "", &gx5_45_evidence[9]},      /* filter_data.mag_matrix_uncertainty */
+    {0x01, 0x01, "", &gx5_45_evidence[2]},       {0x01, 0x02, "", &gx5_45_evidence[2]},
+    {0x01, 0x03, "", &gx5_45_evidence[0]},       {0x01, 0x04, "", &gx5_45_evidence[7]},
+    {0x01, 0x05, "", &gx5_45_evidence[8]},       {0x01, 0x06, "", &gx5_45_evidence[1]},
+    {0x01, 0x07, "", &gx5_45_evidence[1]},       {0x01, 0x72, "WRA", &gx5_45_evidence[8]},
+    {0x01, 0x7E, "", &gx5_45_evidence[0]},       {0x0C, 0x01, "", &gx5_45_evidence[8]},
+    {0x0C, 0x02, "", &gx5_45_evidence[0]},       {0x0C, 0x03, "", &gx5_45_evidence[0]},
+    {0x0C, 0x06, "", &gx5_45_evidence[0]},       {0x0C, 0x07, "", &gx5_45_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx5_45_evidence[0]},  {0x0C, 0x09, "WRSLD", &gx5_45_evidence[0]},
+    {0x0C, 0x0A, "WRSLD", &gx5_45_evidence[0]},  {0x0C, 0x0B, "", &gx5_45_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &gx5_45_evidence[4]},  {0x0C, 0x20, "", &gx5_45_evidence[0]},
+    {0x0C, 0x21, "WRSLD", &gx5_45_evidence[8]},  {0x0C, 0x22, "WRSLD", &gx5_45_evidence[8]},
+    {0x0C, 0x23, "WRSLD", &gx5_45_evidence[8]},  {0x0C, 0x24, "WR", &gx5_45_evidence[8]},
+    {0x0C, 0x30, "SLD", &gx5_45_evidence[0]},    {0x0C, 0x37, "WRSLDA", &gx5_45_evidence[4]},
+    {0x0C, 0x38, "WRSLDA", &gx5_45_evidence[4]}, {0x0C, 0x39, "", &gx5_45_evidence[3]},
+    {0x0C, 0x3A, "WRSLDA", &gx5_45_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &gx5_45_evidence[4]},
+    {0x0C, 0x3E, "WRSLD", &gx5_45_evidence[4]},  {0x0C, 0x40, "WRSLD", &gx5_45_evidence[0]},
+    {0x0C, 0x50, "WRSLD", &gx5_45_evidence[8]},  {0x0C, 0x51, "WRSLD", &gx5_45_evidence[4]},
+    {0x0C, 0x64, "", &gx5_45_evidence[0]},       {0x0D, 0x01, "", &gx5_45_evidence[2]},
+    {0x0D, 0x02, "", &gx5_45_evidence[4]},       {0x0D, 0x03, "", &gx5_45_evidence[0]},
+    {0x0D, 0x10, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x11, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x12, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x13, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x14, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x15, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x16, "", &gx5_45_evidence[0]},       {0x0D, 0x17, "", &gx5_45_evidence[0]},
+    {0x0D, 0x18, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x19, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x1A, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x1B, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x1C, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x1D, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x1E, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x1F, "", &gx5_45_evidence[0]},
+    {0x0D, 0x20, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x21, "WSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x22, "", &gx5_45_evidence[0]},       {0x0D, 0x23, "", &gx5_45_evidence[0]},
+    {0x0D, 0x26, "WRSLD", &gx5_45_evidence[4]},  {0x0D, 0x27, "WS", &gx5_45_evidence[0]},
+    {0x0D, 0x28, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x29, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x2B, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x2C, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x42, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x43, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x44, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x45, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x46, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x47, "WRSLD", &gx5_45_evidence[0]},
+    {0x0D, 0x4B, "WRSLD", &gx5_45_evidence[0]},  {0x0D, 0x53, "WRSLD", &gx5_45_evidence[5]},
+    {0x7F, 0x10, "WRSLD", &gx5_45_evidence[0]},  {0x80, 0x04, "", &gx5_45_evidence[0]},
+    {0x80, 0x05, "", &gx5_45_evidence[0]},       {0x80, 0x06, "", &gx5_45_evidence[0]},
+    {0x80, 0x07, "", &gx5_45_evidence[8]},       {0x80, 0x08, "", &gx5_45_evidence[8]},
+    {0x80, 0x09, "", &gx5_45_evidence[8]},       {0x80, 0x0A, "", &gx5_45_evidence[6]},
+    {0x80, 0x0C, "", &gx5_45_evidence[8]},       {0x80, 0x10, "", &gx5_45_evidence[8]},
+    {0x80, 0x11, "", &gx5_45_evidence[8]},       {0x80, 0x12, "", &gx5_45_evidence[2]},
+    {0x80, 0x17, "", &gx5_45_evidence[6]},       {0x81, 0x03, "", &gx5_45_evidence[6]},
+    {0x81, 0x04, "", &gx5_45_evidence[8]},       {0x81, 0x05, "", &gx5_45_evidence[6]},
+    {0x81, 0x06, "", &gx5_45_evidence[8]},       {0x81, 0x07, "", &gx5_45_evidence[6]},
+    {0x81, 0x08, "", &gx5_45_evidence[8]},       {0x81, 0x09, "", &gx5_45_evidence[8]},
+    {0x81, 0x0A, "", &gx5_45_evidence[8]},       {0x81, 0x0B, "", &gx5_45_evidence[2]},
+    {0x81, 0x0C, "", &gx5_45_evidence[0]},       {0x81, 0x0D, "", &gx5_45_evidence[0]},
+    {0x81, 0x0E, "", &gx5_45_evidence[0]},       {0x81, 0x0F, "", &gx5_45_evidence[0]},
+    {0x82, 0x01, "", &gx5_45_evidence[2]},       {0x82, 0x02, "", &gx5_45_evidence[2]},
+    {0x82, 0x03, "", &gx5_45_evidence[6]},       {0x82, 0x04, "", &gx5_45_evidence[0]},
+    {0x82, 0x05, "", &gx5_45_evidence[0]},       {0x82, 0x06, "", &gx5_45_evidence[9]},
+    {0x82, 0x07, "", &gx5_45_evidence[9]},       {0x82, 0x08, "", &gx5_45_evidence[9]},
+    {0x82, 0x09, "", &gx5_45_evidence[9]},       {0x82, 0x0A, "", &gx5_45_evidence[9]},
+    {0x82, 0x0B, "", &gx5_45_evidence[9]},       {0x82, 0x0C, "", &gx5_45_evidence[9]},
+    {0x82, 0x0D, "", &gx5_45_evidence[9]},       {0x82, 0x0E, "", &gx5_45_evidence[0]},
+    {0x82, 0x0F, "", &gx5_45_evidence[9]},       {0x82, 0x10, "", &gx5_45_evidence[2]},
+    {0x82, 0x11, "", &gx5_45_evidence[2]},       {0x82, 0x12, "", &gx5_45_evidence[9]},
+    {0x82, 0x13, "", &gx5_45_evidence[9]},       {0x82, 0x14, "", &gx5_45_evidence[0]},
+    {0x82, 0x15, "", &gx5_45_evidence[9]},       {0x82, 0x1C, "", &gx5_45_evidence[9]},
+    {0x82, 0x20, "", &gx5_45_evidence[9]},       {0x82, 0x21, "", &gx5_45_evidence[9]},
+    {0x82, 0x25, "", &gx5_45_evidence[9]},       {0x82, 0x26, "", &gx5_45_evidence[9]},
+    {0x82, 0x28, "", &gx5_45_evidence[9]},       {0x82, 0x29, "", &gx5_45_evidence[9]},
 };
 
 static const struct mip_profile_field gx5_45_refuses[] = {
-    {0x80, 0x01, "", &gx5_45_evidence[10]}, /* sensor.raw_accel */
+    {0x80, 0x01, "", &gx5_45_evidence[10]},
 };
 
 static const struct mip_profile_rate gx5_45_rates[] = {
@@ -6253,12 +4826,9 @@ static const struct mip_profile_evidence mv5_ar_evidence[] = {
 };
 
 static const struct mip_profile_field mv5_ar_fields[] = {
-    {0x01, 0x01, "", &mv5_ar_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &mv5_ar_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &mv5_ar_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &mv5_ar_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x06, "", &mv5_ar_evidence[0]},      /* base.resume */
-    {0x0C, 0x11, "WRSLD", &mv5_ar_evidence[0]}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", &mv5_ar_evidence[0]}, {0x01, 0x02, "", &mv5_ar_evidence[0]},
+    {0x01, 0x03, "", &mv5_ar_evidence[0]}, {0x01, 0x04, "", &mv5_ar_evidence[0]},
+    {0x01, 0x06, "", &mv5_ar_evidence[0]}, {0x0C, 0x11, "WRSLD", &mv5_ar_evidence[0]},
 };
 
 static const char *const mv5_ar_j1939_cells[] = {
@@ -6332,75 +4902,39 @@ static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
 };
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
-    {0x01, 0x01, "", &rq1_45_lt_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &rq1_45_lt_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &rq1_45_lt_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &rq1_45_lt_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &rq1_45_lt_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &rq1_45_lt_evidence[0]},       /* base.resume */
-    {0x01, 0x7E, "", &rq1_45_lt_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &rq1_45_lt_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &rq1_45_lt_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", &rq1_45_lt_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", &rq1_45_lt_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &rq1_45_lt_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &rq1_45_lt_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &rq1_45_lt_evidence[0]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", &rq1_45_lt_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &rq1_45_lt_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &rq1_45_lt_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &rq1_45_lt_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &rq1_45_lt_evidence[1]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &rq1_45_lt_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &rq1_45_lt_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &rq1_45_lt_evidence[1]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &rq1_45_lt_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x42, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &rq1_45_lt_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &rq1_45_lt_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &rq1_45_lt_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &rq1_45_lt_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &rq1_45_lt_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &rq1_45_lt_evidence[1]},      /* sensor.scaled_mag */
-    {0x81, 0x03, "", &rq1_45_lt_evidence[1]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &rq1_45_lt_evidence[1]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &rq1_45_lt_evidence[1]},      /* gnss_data.gps_time */
-    {0x82, 0x01, "", &rq1_45_lt_evidence[1]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &rq1_45_lt_evidence[1]},      /* filter_data.ned_velocity */
-    {0x82, 0x05, "", &rq1_45_lt_evidence[1]},      /* filter_data.euler_angles */
+    {0x01, 0x01, "", &rq1_45_lt_evidence[0]},       {0x01, 0x02, "", &rq1_45_lt_evidence[0]},
+    {0x01, 0x03, "", &rq1_45_lt_evidence[0]},       {0x01, 0x04, "", &rq1_45_lt_evidence[0]},
+    {0x01, 0x05, "", &rq1_45_lt_evidence[0]},       {0x01, 0x06, "", &rq1_45_lt_evidence[0]},
+    {0x01, 0x7E, "", &rq1_45_lt_evidence[0]},       {0x0C, 0x01, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x02, "", &rq1_45_lt_evidence[0]},       {0x0C, 0x03, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x06, "", &rq1_45_lt_evidence[0]},       {0x0C, 0x07, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &rq1_45_lt_evidence[0]},  {0x0C, 0x09, "WRSLD", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x0A, "WRSLD", &rq1_45_lt_evidence[0]},  {0x0C, 0x0B, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &rq1_45_lt_evidence[0]},  {0x0C, 0x20, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x30, "SLD", &rq1_45_lt_evidence[0]},    {0x0C, 0x37, "WRSLDA", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &rq1_45_lt_evidence[0]}, {0x0C, 0x39, "", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &rq1_45_lt_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &rq1_45_lt_evidence[0]},  {0x0C, 0x40, "WRSLD", &rq1_45_lt_evidence[0]},
+    {0x0C, 0x50, "WRSLD", &rq1_45_lt_evidence[0]},  {0x0C, 0x64, "", &rq1_45_lt_evidence[0]},
+    {0x0D, 0x01, "", &rq1_45_lt_evidence[0]},       {0x0D, 0x02, "", &rq1_45_lt_evidence[0]},
+    {0x0D, 0x03, "", &rq1_45_lt_evidence[0]},       {0x0D, 0x10, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x12, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x13, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x14, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x15, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x16, "", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x17, "", &rq1_45_lt_evidence[1]},       {0x0D, 0x18, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x1A, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x1C, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x1D, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x1E, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x1F, "", &rq1_45_lt_evidence[1]},       {0x0D, 0x20, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x22, "", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x23, "", &rq1_45_lt_evidence[1]},       {0x0D, 0x42, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x43, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x44, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x0D, 0x45, "WRSLD", &rq1_45_lt_evidence[1]},  {0x0D, 0x46, "WRSLD", &rq1_45_lt_evidence[1]},
+    {0x7F, 0x10, "WRSLD", &rq1_45_lt_evidence[1]},  {0x80, 0x04, "", &rq1_45_lt_evidence[1]},
+    {0x80, 0x05, "", &rq1_45_lt_evidence[1]},       {0x80, 0x06, "", &rq1_45_lt_evidence[1]},
+    {0x81, 0x03, "", &rq1_45_lt_evidence[1]},       {0x81, 0x05, "", &rq1_45_lt_evidence[1]},
+    {0x81, 0x09, "", &rq1_45_lt_evidence[1]},       {0x82, 0x01, "", &rq1_45_lt_evidence[1]},
+    {0x82, 0x02, "", &rq1_45_lt_evidence[1]},       {0x82, 0x05, "", &rq1_45_lt_evidence[1]},
 };
 
 static const struct mip_profile_note rq1_45_lt_notes[] = {
@@ -6470,75 +5004,39 @@ static const struct mip_profile_evidence rq1_45_st_evidence[] = {
 };
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
-    {0x01, 0x01, "", &rq1_45_st_evidence[0]},       /* base.ping */
-    {0x01, 0x02, "", &rq1_45_st_evidence[0]},       /* base.set_idle */
-    {0x01, 0x03, "", &rq1_45_st_evidence[0]},       /* base.get_device_info */
-    {0x01, 0x04, "", &rq1_45_st_evidence[0]},       /* base.get_device_descriptors */
-    {0x01, 0x05, "", &rq1_45_st_evidence[0]},       /* base.built_in_test */
-    {0x01, 0x06, "", &rq1_45_st_evidence[0]},       /* base.resume */
-    {0x01, 0x7E, "", &rq1_45_st_evidence[0]},       /* base.soft_reset */
-    {0x0C, 0x01, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", &rq1_45_st_evidence[0]},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", &rq1_45_st_evidence[0]},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", &rq1_45_st_evidence[0]},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", &rq1_45_st_evidence[0]},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.data_stream_control */
-    {0x0C, 0x20, "", &rq1_45_st_evidence[0]},       /* 3dm.raw_rtcm_2_3_message */
-    {0x0C, 0x30, "SLD", &rq1_45_st_evidence[0]},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", &rq1_45_st_evidence[0]},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", &rq1_45_st_evidence[0]}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", &rq1_45_st_evidence[0]},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", &rq1_45_st_evidence[0]},       /* 3dm.device_status */
-    {0x0D, 0x01, "", &rq1_45_st_evidence[0]},       /* filter.reset */
-    {0x0D, 0x02, "", &rq1_45_st_evidence[0]},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", &rq1_45_st_evidence[0]},       /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gnss_source */
-    {0x0D, 0x16, "", &rq1_45_st_evidence[1]},       /* filter.external_gnss_update */
-    {0x0D, 0x17, "", &rq1_45_st_evidence[1]},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_zupt */
-    {0x0D, 0x1F, "", &rq1_45_st_evidence[1]},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", &rq1_45_st_evidence[1]},       /* filter.commanded_zupt */
-    {0x0D, 0x23, "", &rq1_45_st_evidence[1]},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x42, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", &rq1_45_st_evidence[1]},  /* filter.magnetic_declination_source */
-    {0x0D, 0x44, "WRSLD",
-     &rq1_45_st_evidence[1]}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD",
-     &rq1_45_st_evidence[1]}, /* filter.mag_magnitude_error_adaptive_measurement */
-    {0x0D, 0x46, "WRSLD",
-     &rq1_45_st_evidence[1]}, /* filter.mag_dip_angle_error_adaptive_measurement */
-    {0x7F, 0x10, "WRSLD", &rq1_45_st_evidence[1]}, /* system.comm_mode */
-    {0x80, 0x04, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", &rq1_45_st_evidence[1]},      /* sensor.scaled_mag */
-    {0x81, 0x03, "", &rq1_45_st_evidence[1]},      /* gnss_data.llh_position */
-    {0x81, 0x05, "", &rq1_45_st_evidence[1]},      /* gnss_data.ned_velocity */
-    {0x81, 0x09, "", &rq1_45_st_evidence[1]},      /* gnss_data.gps_time */
-    {0x82, 0x01, "", &rq1_45_st_evidence[1]},      /* filter_data.llh_position */
-    {0x82, 0x02, "", &rq1_45_st_evidence[1]},      /* filter_data.ned_velocity */
-    {0x82, 0x05, "", &rq1_45_st_evidence[1]},      /* filter_data.euler_angles */
+    {0x01, 0x01, "", &rq1_45_st_evidence[0]},       {0x01, 0x02, "", &rq1_45_st_evidence[0]},
+    {0x01, 0x03, "", &rq1_45_st_evidence[0]},       {0x01, 0x04, "", &rq1_45_st_evidence[0]},
+    {0x01, 0x05, "", &rq1_45_st_evidence[0]},       {0x01, 0x06, "", &rq1_45_st_evidence[0]},
+    {0x01, 0x7E, "", &rq1_45_st_evidence[0]},       {0x0C, 0x01, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x02, "", &rq1_45_st_evidence[0]},       {0x0C, 0x03, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x06, "", &rq1_45_st_evidence[0]},       {0x0C, 0x07, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &rq1_45_st_evidence[0]},  {0x0C, 0x09, "WRSLD", &rq1_45_st_evidence[0]},
+    {0x0C, 0x0A, "WRSLD", &rq1_45_st_evidence[0]},  {0x0C, 0x0B, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x11, "WRSLD", &rq1_45_st_evidence[0]},  {0x0C, 0x20, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x30, "SLD", &rq1_45_st_evidence[0]},    {0x0C, 0x37, "WRSLDA", &rq1_45_st_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &rq1_45_st_evidence[0]}, {0x0C, 0x39, "", &rq1_45_st_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &rq1_45_st_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &rq1_45_st_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &rq1_45_st_evidence[0]},  {0x0C, 0x40, "WRSLD", &rq1_45_st_evidence[0]},
+    {0x0C, 0x50, "WRSLD", &rq1_45_st_evidence[0]},  {0x0C, 0x64, "", &rq1_45_st_evidence[0]},
+    {0x0D, 0x01, "", &rq1_45_st_evidence[0]},       {0x0D, 0x02, "", &rq1_45_st_evidence[0]},
+    {0x0D, 0x03, "", &rq1_45_st_evidence[0]},       {0x0D, 0x10, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x11, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x12, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x13, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x14, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x15, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x16, "", &rq1_45_st_evidence[1]},
+    {0x0D, 0x17, "", &rq1_45_st_evidence[1]},       {0x0D, 0x18, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x19, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x1A, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x1B, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x1C, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x1D, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x1E, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x1F, "", &rq1_45_st_evidence[1]},       {0x0D, 0x20, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x21, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x22, "", &rq1_45_st_evidence[1]},
+    {0x0D, 0x23, "", &rq1_45_st_evidence[1]},       {0x0D, 0x42, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x43, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x44, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x0D, 0x45, "WRSLD", &rq1_45_st_evidence[1]},  {0x0D, 0x46, "WRSLD", &rq1_45_st_evidence[1]},
+    {0x7F, 0x10, "WRSLD", &rq1_45_st_evidence[1]},  {0x80, 0x04, "", &rq1_45_st_evidence[1]},
+    {0x80, 0x05, "", &rq1_45_st_evidence[1]},       {0x80, 0x06, "", &rq1_45_st_evidence[1]},
+    {0x81, 0x03, "", &rq1_45_st_evidence[1]},       {0x81, 0x05, "", &rq1_45_st_evidence[1]},
+    {0x81, 0x09, "", &rq1_45_st_evidence[1]},       {0x82, 0x01, "", &rq1_45_st_evidence[1]},
+    {0x82, 0x02, "", &rq1_45_st_evidence[1]},       {0x82, 0x05, "", &rq1_45_st_evidence[1]},
 };
 
 static const struct mip_profile_note rq1_45_st_notes[] = {
@@ -6602,18 +5100,12 @@ static const struct mip_profile_evidence rtk_evidence[] = {
 };
 
 static const struct mip_profile_field rtk_fields[] = {
-    {0x01, 0x01, "", &rtk_evidence[0]},      /* base.ping */
-    {0x01, 0x02, "", &rtk_evidence[0]},      /* base.set_idle */
-    {0x01, 0x03, "", &rtk_evidence[0]},      /* base.get_device_info */
-    {0x01, 0x04, "", &rtk_evidence[0]},      /* base.get_device_descriptors */
-    {0x01, 0x05, "", &rtk_evidence[0]},      /* base.built_in_test */
-    {0x01, 0x06, "", &rtk_evidence[0]},      /* base.resume */
-    {0x01, 0x09, "WRSLD", &rtk_evidence[0]}, /* base.comm_speed */
-    {0x01, 0x7E, "", &rtk_evidence[0]},      /* base.soft_reset */
-    {0x0C, 0x30, "SLD", &rtk_evidence[0]},   /* 3dm.device_settings */
-    {0x0F, 0x01, "", &rtk_evidence[0]},      /* rtk.get_status_flags */
-    {0x0F, 0x07, "", &rtk_evidence[0]},      /* rtk.get_activation_code */
-    {0x7F, 0x10, "WRSLD", &rtk_evidence[0]}, /* system.comm_mode */
+    {0x01, 0x01, "", &rtk_evidence[0]},      {0x01, 0x02, "", &rtk_evidence[0]},
+    {0x01, 0x03, "", &rtk_evidence[0]},      {0x01, 0x04, "", &rtk_evidence[0]},
+    {0x01, 0x05, "", &rtk_evidence[0]},      {0x01, 0x06, "", &rtk_evidence[0]},
+    {0x01, 0x09, "WRSLD", &rtk_evidence[0]}, {0x01, 0x7E, "", &rtk_evidence[0]},
+    {0x0C, 0x30, "SLD", &rtk_evidence[0]},   {0x0F, 0x01, "", &rtk_evidence[0]},
+    {0x0F, 0x07, "", &rtk_evidence[0]},      {0x7F, 0x10, "WRSLD", &rtk_evidence[0]},
 };
 
 static const struct mip_profile_reading rtk_readings[] = {

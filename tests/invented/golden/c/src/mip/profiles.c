@@ -10,31 +10,19 @@ static const struct mip_profile_evidence model_a_evidence[] = {
 };
 
 static const struct mip_profile_field model_a_fields[] = {
-    {0x01, 0x01, "", &model_a_evidence[0]},       /* tools.ping */
-    {0x01, 0x02, "WRSLDA", &model_a_evidence[0]}, /* tools.settings */
-    {0x01, 0x03, "WRA", &model_a_evidence[0]},    /* tools.set_time */
-    {0x01, 0x04, "", &model_a_evidence[0]},       /* tools.status */
-    {0x01, 0x05, "WRSLD", &model_a_evidence[0]},  /* tools.bias */
-    {0x01, 0x06, "", &model_a_evidence[0]},       /* tools.capture_bias */
-    {0x01, 0x07, "", &model_a_evidence[0]},       /* tools.formats */
-    {0x01, 0x08, "WR", &model_a_evidence[0]},     /* tools.choice */
-    {0x01, 0x09, "WRS", &model_a_evidence[0]},    /* tools.list */
-    {0x01, 0x0A, "", &model_a_evidence[0]},       /* tools.inventory */
-    {0x01, 0x0B, "WR", &model_a_evidence[0]},     /* tools.pin */
-    {0x01, 0x0D, "", &model_a_evidence[0]},       /* tools.readings */
-    {0x0C, 0x10, "", &model_a_evidence[0]},       /* 3d.default */
-    {0x80, 0x01, "", &model_a_evidence[0]},       /* measurements.accel */
-    {0x80, 0x02, "", &model_a_evidence[0]},       /* measurements.numbers */
-    {0x80, 0x03, "", &model_a_evidence[0]},       /* measurements.strings */
-    {0x80, 0x04, "", &model_a_evidence[0]},       /* measurements.health */
-    {0x80, 0x05, "", &model_a_evidence[0]},       /* measurements.arrays */
-    {0x80, 0x06, "", &model_a_evidence[0]},       /* measurements.growing */
-    {0x80, 0x08, "", &model_a_evidence[0]},       /* measurements.cloud */
-    {0x80, 0x0A, "", &model_a_evidence[0]},       /* measurements.breeze */
-    {0x81, 0x01, "", &model_a_evidence[0]},       /* more.accel */
-    {0x81, 0x03, "", &model_a_evidence[0]},       /* more.strings */
-    {0x81, 0x07, "", &model_a_evidence[0]},       /* more.own */
-    {0xFF, 0xD3, "", &model_a_evidence[0]},       /* shared.timestamp */
+    {0x01, 0x01, "", &model_a_evidence[0]},      {0x01, 0x02, "WRSLDA", &model_a_evidence[0]},
+    {0x01, 0x03, "WRA", &model_a_evidence[0]},   {0x01, 0x04, "", &model_a_evidence[0]},
+    {0x01, 0x05, "WRSLD", &model_a_evidence[0]}, {0x01, 0x06, "", &model_a_evidence[0]},
+    {0x01, 0x07, "", &model_a_evidence[0]},      {0x01, 0x08, "WR", &model_a_evidence[0]},
+    {0x01, 0x09, "WRS", &model_a_evidence[0]},   {0x01, 0x0A, "", &model_a_evidence[0]},
+    {0x01, 0x0B, "WR", &model_a_evidence[0]},    {0x01, 0x0D, "", &model_a_evidence[0]},
+    {0x0C, 0x10, "", &model_a_evidence[0]},      {0x80, 0x01, "", &model_a_evidence[0]},
+    {0x80, 0x02, "", &model_a_evidence[0]},      {0x80, 0x03, "", &model_a_evidence[0]},
+    {0x80, 0x04, "", &model_a_evidence[0]},      {0x80, 0x05, "", &model_a_evidence[0]},
+    {0x80, 0x06, "", &model_a_evidence[0]},      {0x80, 0x08, "", &model_a_evidence[0]},
+    {0x80, 0x0A, "", &model_a_evidence[0]},      {0x81, 0x01, "", &model_a_evidence[0]},
+    {0x81, 0x03, "", &model_a_evidence[0]},      {0x81, 0x07, "", &model_a_evidence[0]},
+    {0xFF, 0xD3, "", &model_a_evidence[0]},
 };
 
 static const struct mip_profile_rate model_a_rates[] = {
@@ -107,10 +95,10 @@ static const struct mip_profile_evidence model_b_evidence[] = {
 };
 
 static const struct mip_profile_field model_b_fields[] = {
-    {0x01, 0x01, "", &model_b_evidence[0]},   /* tools.ping */
-    {0x01, 0x02, "WR", &model_b_evidence[0]}, /* tools.settings */
-    {0x01, 0x04, "", &model_b_evidence[0]},   /* tools.status */
-    {0x80, 0x01, "", &model_b_evidence[0]},   /* measurements.accel */
+    {0x01, 0x01, "", &model_b_evidence[0]},
+    {0x01, 0x02, "WR", &model_b_evidence[0]},
+    {0x01, 0x04, "", &model_b_evidence[0]},
+    {0x80, 0x01, "", &model_b_evidence[0]},
 };
 
 static const struct mip_profile_rate model_b_rates[] = {
@@ -170,36 +158,23 @@ static const struct mip_profile_evidence model_c_evidence[] = {
 };
 
 static const struct mip_profile_field model_c_fields[] = {
-    {0x01, 0x01, "", &model_c_evidence[0]},      /* tools.ping */
-    {0x01, 0x02, "WRS", &model_c_evidence[0]},   /* tools.settings */
-    {0x01, 0x03, "WRA", &model_c_evidence[0]},   /* tools.set_time */
-    {0x01, 0x04, "", &model_c_evidence[0]},      /* tools.status */
-    {0x01, 0x05, "WRSLD", &model_c_evidence[0]}, /* tools.bias */
-    {0x01, 0x06, "", &model_c_evidence[0]},      /* tools.capture_bias */
-    {0x01, 0x07, "", &model_c_evidence[0]},      /* tools.formats */
-    {0x01, 0x09, "WRS", &model_c_evidence[0]},   /* tools.list */
-    {0x01, 0x0A, "", &model_c_evidence[0]},      /* tools.inventory */
-    {0x01, 0x0B, "WR", &model_c_evidence[0]},    /* tools.pin */
-    {0x01, 0x0C, "", &model_c_evidence[2]},      /* tools.hello */
-    {0x01, 0x0D, "", &model_c_evidence[0]},      /* tools.readings */
-    {0x01, 0x0E, "", &model_c_evidence[1]},      /* tools.poll */
-    {0x80, 0x01, "", &model_c_evidence[0]},      /* measurements.accel */
-    {0x80, 0x02, "", &model_c_evidence[0]},      /* measurements.numbers */
-    {0x80, 0x03, "", &model_c_evidence[0]},      /* measurements.strings */
-    {0x80, 0x04, "", &model_c_evidence[0]},      /* measurements.health */
-    {0x80, 0x05, "", &model_c_evidence[0]},      /* measurements.arrays */
-    {0x80, 0x06, "", &model_c_evidence[0]},      /* measurements.growing */
-    {0x80, 0x07, "", &model_c_evidence[0]},      /* measurements.radio */
-    {0x80, 0x08, "", &model_c_evidence[0]},      /* measurements.cloud */
-    {0x80, 0x0A, "", &model_c_evidence[0]},      /* measurements.breeze */
-    {0x81, 0x01, "", &model_c_evidence[0]},      /* more.accel */
-    {0x81, 0x07, "", &model_c_evidence[0]},      /* more.own */
-    {0x92, 0x01, "", &model_c_evidence[2]},      /* copy.accel */
-    {0xFF, 0xD3, "", &model_c_evidence[0]},      /* shared.timestamp */
+    {0x01, 0x01, "", &model_c_evidence[0]},      {0x01, 0x02, "WRS", &model_c_evidence[0]},
+    {0x01, 0x03, "WRA", &model_c_evidence[0]},   {0x01, 0x04, "", &model_c_evidence[0]},
+    {0x01, 0x05, "WRSLD", &model_c_evidence[0]}, {0x01, 0x06, "", &model_c_evidence[0]},
+    {0x01, 0x07, "", &model_c_evidence[0]},      {0x01, 0x09, "WRS", &model_c_evidence[0]},
+    {0x01, 0x0A, "", &model_c_evidence[0]},      {0x01, 0x0B, "WR", &model_c_evidence[0]},
+    {0x01, 0x0C, "", &model_c_evidence[2]},      {0x01, 0x0D, "", &model_c_evidence[0]},
+    {0x01, 0x0E, "", &model_c_evidence[1]},      {0x80, 0x01, "", &model_c_evidence[0]},
+    {0x80, 0x02, "", &model_c_evidence[0]},      {0x80, 0x03, "", &model_c_evidence[0]},
+    {0x80, 0x04, "", &model_c_evidence[0]},      {0x80, 0x05, "", &model_c_evidence[0]},
+    {0x80, 0x06, "", &model_c_evidence[0]},      {0x80, 0x07, "", &model_c_evidence[0]},
+    {0x80, 0x08, "", &model_c_evidence[0]},      {0x80, 0x0A, "", &model_c_evidence[0]},
+    {0x81, 0x01, "", &model_c_evidence[0]},      {0x81, 0x07, "", &model_c_evidence[0]},
+    {0x92, 0x01, "", &model_c_evidence[2]},      {0xFF, 0xD3, "", &model_c_evidence[0]},
 };
 
 static const struct mip_profile_field model_c_refuses[] = {
-    {0x01, 0x08, "WR", &model_c_evidence[3]}, /* tools.choice */
+    {0x01, 0x08, "WR", &model_c_evidence[3]},
 };
 
 static const struct mip_profile_rate model_c_rates[] = {
@@ -269,8 +244,8 @@ static const struct mip_profile_evidence old_1_evidence[] = {
 };
 
 static const struct mip_profile_field old_1_fields[] = {
-    {0x01, 0x01, "", &old_1_evidence[0]}, /* tools.ping */
-    {0x80, 0x02, "", &old_1_evidence[1]}, /* measurements.numbers */
+    {0x01, 0x01, "", &old_1_evidence[0]},
+    {0x80, 0x02, "", &old_1_evidence[1]},
 };
 
 const struct mip_profile mip_profile_old_1 = {
@@ -313,8 +288,8 @@ static const struct mip_profile_evidence old_2_evidence[] = {
 };
 
 static const struct mip_profile_field old_2_fields[] = {
-    {0x01, 0x01, "", &old_2_evidence[0]}, /* tools.ping */
-    {0x80, 0x02, "", &old_2_evidence[0]}, /* measurements.numbers */
+    {0x01, 0x01, "", &old_2_evidence[0]},
+    {0x80, 0x02, "", &old_2_evidence[0]},
 };
 
 const struct mip_profile mip_profile_old_2 = {
