@@ -62,6 +62,34 @@ static bool table(const struct mip_field *field) {
     }
 }
 
+/** As a program that tries one type after the other. */
+#define TRY(key, name)                                       \
+    {                                                        \
+        struct mip_##name value;                             \
+        const mip_error e = mip_##name##_decode(&value, field); \
+        use(&value);                                         \
+        if (e == MIP_OK) {                                   \
+            return true;                                     \
+        }                                                    \
+    }
+static bool each(const struct mip_field *field) {
+    TRY(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
+    TRY(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
+    TRY(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
+    return false;
+}
+
+/** The same with a switch. */
+static bool three(const struct mip_field *field) {
+    switch (mip_field_key(field)) {
+        TABLE(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
+        TABLE(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
+        TABLE(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
+    default:
+        return false;
+    }
+}
+
 static bool registry(const struct mip_field *field) {
     static union {
         uint64_t aligned;
@@ -191,6 +219,12 @@ FUNCTION(ours_direct) {
 FUNCTION(ours_table) {
     return parse(data, size, CHUNK, table);
 }
+FUNCTION(ours_each) {
+    return parse(data, size, CHUNK, each);
+}
+FUNCTION(ours_three) {
+    return parse(data, size, CHUNK, three);
+}
 FUNCTION(ours_registry) {
     return parse(data, size, CHUNK, registry);
 }
@@ -238,7 +272,7 @@ static const struct {
     const char *name;
     size_t (*run)(const uint8_t *data, size_t size);
 } ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
-            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
+            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_each), ROW(ours_three), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
             ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
 
 int main(int count, char **arguments) {

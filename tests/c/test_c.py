@@ -77,8 +77,8 @@ def test_only_the_promised_headers(spec: str) -> None:
     allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
     for path in [*folder(spec).glob("src/mip/*.h"), *folder(spec).glob("src/mip/*.c")]:
         text = path.read_text("utf-8")
-        if path.name == "export.h":  # what a shared library exports can be said in no other way
-            text = text.replace('__attribute__((visibility("default")))', "")
+        if path.name == "export.h":  # what a compiler may be told is said in one place, and for each that knows it
+            text = text.replace("__attribute__", "")
         vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.c" else set()  # of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
         assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
@@ -609,14 +609,14 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
     run(*command)
     found = {name for name in symbols(program) if "mip" in name}
     objects = ("mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_codec_",
-               "mip_decode", "mip_encode", "mip_program_", "mip_copy", "mip_field_", "mip_get_bits", "mip_set_bits",
+               "mip_decode", "mip_encode", "mip_program", "mip_layout", "mip_move", "mip_copy", "mip_field_", "mip_get_bits", "mip_set_bits",
                "mip_set_has", "mip_widen", "mip_narrow")  # fmt: skip
     assert {n for n in found if not n.startswith(objects)} == set()
-    # One that leaves out what is not called takes the functions alone.
+    # One that leaves out what is not called takes the functions alone, without the interpreter of other layouts.
     run(*command, "-Wl,--gc-sections")
     assert {n for n in symbols(program) if n.startswith("mip_")} == {
-        "mip_checksum", "mip_codec_belongs", "mip_codec_matches", "mip_decode", "mip_parser_init", "mip_parser_next",
-        "mip_program_read", "mip_sensor_scaled_accel_codec", "mip_set_has",
+        "mip_checksum", "mip_codec_belongs", "mip_codec_matches", "mip_decode", "mip_move", "mip_parser_init",
+        "mip_parser_next", "mip_sensor_scaled_accel_codec", "mip_set_has",
     }  # fmt: skip
 
 

@@ -15,7 +15,8 @@ static const uint8_t program_poll_imu_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_imu_data), 0, program_poll_imu_data};
+    0x0C, 0x01,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
+    0,    false, program_poll_imu_data, &mip_program};
 
 static bool silent_poll_imu_data(const void *value) {
     const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
@@ -36,8 +37,15 @@ static const uint8_t program_poll_gnss_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C, 0x02, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_gnss_data), 0, program_poll_gnss_data};
+const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
+                                                       0x02,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_poll_gnss_data),
+                                                       0,
+                                                       false,
+                                                       program_poll_gnss_data,
+                                                       &mip_program};
 
 static bool silent_poll_gnss_data(const void *value) {
     const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
@@ -64,7 +72,9 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
                                                          0,
                                                          sizeof(struct mip_3dm_poll_filter_data),
                                                          0,
-                                                         program_poll_filter_data};
+                                                         false,
+                                                         program_poll_filter_data,
+                                                         &mip_program};
 
 static bool silent_poll_filter_data(const void *value) {
     const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
@@ -85,8 +95,15 @@ static const uint8_t program_poll_nmea_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C, 0x04, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_nmea_data), 0, program_poll_nmea_data};
+const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
+                                                       0x04,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_poll_nmea_data),
+                                                       0,
+                                                       false,
+                                                       program_poll_nmea_data,
+                                                       &mip_program};
 
 static bool silent_poll_nmea_data(const void *value) {
     const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
@@ -106,7 +123,9 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_get_imu_base_rate),
                                                           0,
-                                                          program_get_imu_base_rate};
+                                                          false,
+                                                          program_get_imu_base_rate,
+                                                          NULL};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
     {&mip_3dm_get_imu_base_rate_response_codec, NULL},
@@ -128,7 +147,9 @@ const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_imu_base_rate_response),
     0,
-    program_get_imu_base_rate_response};
+    sizeof(struct mip_3dm_get_imu_base_rate_response) >= 8,
+    program_get_imu_base_rate_response,
+    NULL};
 
 static const uint8_t program_get_gnss_base_rate[] = {
     MIP_END,
@@ -141,7 +162,9 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_gnss_base_rate),
     0,
-    program_get_gnss_base_rate};
+    false,
+    program_get_gnss_base_rate,
+    NULL};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
     {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
@@ -163,7 +186,9 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_gnss_base_rate_response),
     0,
-    program_get_gnss_base_rate_response};
+    sizeof(struct mip_3dm_get_gnss_base_rate_response) >= 8,
+    program_get_gnss_base_rate_response,
+    NULL};
 
 static const uint8_t program_imu_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -186,7 +211,9 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format),
     0,
-    program_imu_message_format};
+    false,
+    program_imu_message_format,
+    &mip_program};
 
 static bool asked_imu_message_format_1(const void *value) {
     const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
@@ -220,7 +247,9 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format_response),
     0,
-    program_imu_message_format_response};
+    false,
+    program_imu_message_format_response,
+    &mip_program};
 
 static const uint8_t program_gnss_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -243,7 +272,9 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format),
     0,
-    program_gnss_message_format};
+    false,
+    program_gnss_message_format,
+    &mip_program};
 
 static bool asked_gnss_message_format_1(const void *value) {
     const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
@@ -277,7 +308,9 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format_response),
     0,
-    program_gnss_message_format_response};
+    false,
+    program_gnss_message_format_response,
+    &mip_program};
 
 static const uint8_t program_filter_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -300,7 +333,9 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format),
     0,
-    program_filter_message_format};
+    false,
+    program_filter_message_format,
+    &mip_program};
 
 static bool asked_filter_message_format_1(const void *value) {
     const struct mip_3dm_filter_message_format *v =
@@ -335,7 +370,9 @@ const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format_response),
     0,
-    program_filter_message_format_response};
+    false,
+    program_filter_message_format_response,
+    &mip_program};
 
 static const uint8_t program_get_filter_base_rate[] = {
     MIP_END,
@@ -348,7 +385,9 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_filter_base_rate),
     0,
-    program_get_filter_base_rate};
+    false,
+    program_get_filter_base_rate,
+    NULL};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
     {&mip_3dm_get_filter_base_rate_response_codec, NULL},
@@ -370,7 +409,9 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_filter_base_rate_response),
     0,
-    program_get_filter_base_rate_response};
+    sizeof(struct mip_3dm_get_filter_base_rate_response) >= 8,
+    program_get_filter_base_rate_response,
+    NULL};
 
 static const uint8_t program_nmea_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -393,7 +434,9 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format),
     0,
-    program_nmea_message_format};
+    false,
+    program_nmea_message_format,
+    &mip_program};
 
 static bool asked_nmea_message_format_1(const void *value) {
     const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
@@ -427,7 +470,9 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format_response),
     0,
-    program_nmea_message_format_response};
+    false,
+    program_nmea_message_format_response,
+    &mip_program};
 
 static const uint8_t program_poll_data[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_poll_data, descriptor_set)),
@@ -438,7 +483,8 @@ static const uint8_t program_poll_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_data), 0, program_poll_data};
+    0x0C, 0x0D,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
+    0,    false, program_poll_data, &mip_program};
 
 static bool silent_poll_data(const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
@@ -453,8 +499,15 @@ static const uint8_t program_get_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, 0x0E, MIP_COMMAND, 1, sizeof(struct mip_3dm_get_base_rate), 0, program_get_base_rate};
+const struct mip_codec mip_3dm_get_base_rate_codec = {0x0C,
+                                                      0x0E,
+                                                      MIP_COMMAND,
+                                                      1,
+                                                      sizeof(struct mip_3dm_get_base_rate),
+                                                      0,
+                                                      sizeof(struct mip_3dm_get_base_rate) >= 8,
+                                                      program_get_base_rate,
+                                                      NULL};
 
 static const struct mip_response responses_get_base_rate[] = {
     {&mip_3dm_get_base_rate_response_codec, NULL},
@@ -477,7 +530,9 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     3,
     sizeof(struct mip_3dm_get_base_rate_response),
     0,
-    program_get_base_rate_response};
+    false,
+    program_get_base_rate_response,
+    NULL};
 
 static const uint8_t program_message_format[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -494,8 +549,15 @@ static const uint8_t program_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C, 0x0F, MIP_COMMAND, 0, sizeof(struct mip_3dm_message_format), 0, program_message_format};
+const struct mip_codec mip_3dm_message_format_codec = {0x0C,
+                                                       0x0F,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_message_format),
+                                                       0,
+                                                       false,
+                                                       program_message_format,
+                                                       &mip_program};
 
 static bool asked_message_format_1(const void *value) {
     const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
@@ -529,20 +591,25 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_message_format_response),
     0,
-    program_message_format_response};
+    false,
+    program_message_format_response,
+    &mip_program};
 
 static const uint8_t program_factory_streaming[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_factory_streaming, action)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
-                                                          0x10,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_factory_streaming),
-                                                          0,
-                                                          program_factory_streaming};
+const struct mip_codec mip_3dm_factory_streaming_codec = {
+    0x0C,
+    0x10,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_3dm_factory_streaming),
+    0,
+    sizeof(struct mip_3dm_factory_streaming) >= 8,
+    program_factory_streaming,
+    NULL};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
                                                               NULL, NULL, 0};
@@ -563,7 +630,9 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_control),
     0,
-    program_data_stream_control};
+    false,
+    program_data_stream_control,
+    &mip_program};
 
 static bool asked_data_stream_control_1(const void *value) {
     const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
@@ -590,7 +659,9 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_control_response),
     0,
-    program_data_stream_control_response};
+    sizeof(struct mip_3dm_data_stream_control_response) >= 8,
+    program_data_stream_control_response,
+    NULL};
 
 static const uint8_t program_raw_rtcm_2_3_message[] = {
     MIP_REST(253, 1, MIP_AT(struct mip_3dm_raw_rtcm_2_3_message, data_count)),
@@ -605,7 +676,9 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     0,
     sizeof(struct mip_3dm_raw_rtcm_2_3_message),
     0,
-    program_raw_rtcm_2_3_message};
+    false,
+    program_raw_rtcm_2_3_message,
+    &mip_program};
 
 const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
     &mip_3dm_raw_rtcm_2_3_message_codec, NULL, NULL, 0};
@@ -633,7 +706,9 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings),
     0,
-    program_constellation_settings};
+    false,
+    program_constellation_settings,
+    &mip_program};
 
 static bool asked_constellation_settings_1(const void *value) {
     const struct mip_3dm_constellation_settings *v =
@@ -669,7 +744,9 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings_response),
     0,
-    program_constellation_settings_response};
+    false,
+    program_constellation_settings_response,
+    &mip_program};
 
 static const uint8_t program_gnss_sbas_settings[] = {
     MIP_REQUIRED(1, 4),
@@ -692,7 +769,9 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings),
     0,
-    program_gnss_sbas_settings};
+    false,
+    program_gnss_sbas_settings,
+    &mip_program};
 
 static bool asked_gnss_sbas_settings_1(const void *value) {
     const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
@@ -724,7 +803,9 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
     0,
-    program_gnss_sbas_settings_response};
+    false,
+    program_gnss_sbas_settings_response,
+    &mip_program};
 
 static const uint8_t program_gnss_assisted_fix[] = {
     MIP_REQUIRED(1, 2),
@@ -741,7 +822,9 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gnss_assisted_fix),
                                                           0,
-                                                          program_gnss_assisted_fix};
+                                                          false,
+                                                          program_gnss_assisted_fix,
+                                                          &mip_program};
 
 static bool asked_gnss_assisted_fix_1(const void *value) {
     const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
@@ -768,7 +851,9 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     2,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
     0,
-    program_gnss_assisted_fix_response};
+    sizeof(struct mip_3dm_gnss_assisted_fix_response) >= 8,
+    program_gnss_assisted_fix_response,
+    NULL};
 
 static const uint8_t program_gnss_time_assistance[] = {
     MIP_REQUIRED(1, 3),
@@ -788,7 +873,9 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     0,
     sizeof(struct mip_3dm_gnss_time_assistance),
     0,
-    program_gnss_time_assistance};
+    false,
+    program_gnss_time_assistance,
+    &mip_program};
 
 static bool asked_gnss_time_assistance_1(const void *value) {
     const struct mip_3dm_gnss_time_assistance *v =
@@ -818,7 +905,9 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     14,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
     0,
-    program_gnss_time_assistance_response};
+    false,
+    program_gnss_time_assistance_response,
+    NULL};
 
 static const uint8_t program_pps_source_control[] = {
     MIP_REQUIRED(1, 1),
@@ -834,7 +923,9 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     0,
     sizeof(struct mip_3dm_pps_source_control),
     0,
-    program_pps_source_control};
+    false,
+    program_pps_source_control,
+    &mip_program};
 
 static bool asked_pps_source_control_1(const void *value) {
     const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
@@ -861,20 +952,25 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     1,
     sizeof(struct mip_3dm_pps_source_control_response),
     0,
-    program_pps_source_control_response};
+    sizeof(struct mip_3dm_pps_source_control_response) >= 8,
+    program_pps_source_control_response,
+    NULL};
 
 static const uint8_t program_get_event_support[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_support, query)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
-                                                          0x2A,
-                                                          MIP_COMMAND,
-                                                          1,
-                                                          sizeof(struct mip_3dm_get_event_support),
-                                                          0,
-                                                          program_get_event_support};
+const struct mip_codec mip_3dm_get_event_support_codec = {
+    0x0C,
+    0x2A,
+    MIP_COMMAND,
+    1,
+    sizeof(struct mip_3dm_get_event_support),
+    0,
+    sizeof(struct mip_3dm_get_event_support) >= 8,
+    program_get_event_support,
+    NULL};
 
 static const struct mip_response responses_get_event_support[] = {
     {&mip_3dm_get_event_support_response_codec, NULL},
@@ -902,7 +998,9 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_support_response),
     0,
-    program_get_event_support_response};
+    false,
+    program_get_event_support_response,
+    &mip_program};
 
 static const uint8_t program_event_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -914,7 +1012,8 @@ static const uint8_t program_event_control[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B, MIP_COMMAND, 0, sizeof(struct mip_3dm_event_control), 0, program_event_control};
+    0x0C, 0x2B,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
+    0,    false, program_event_control, &mip_program};
 
 static bool asked_event_control_1(const void *value) {
     const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
@@ -941,7 +1040,9 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     2,
     sizeof(struct mip_3dm_event_control_response),
     0,
-    program_event_control_response};
+    sizeof(struct mip_3dm_event_control_response) >= 8,
+    program_event_control_response,
+    NULL};
 
 static const uint8_t program_get_event_trigger_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status, requested_count)),
@@ -958,7 +1059,9 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status),
     0,
-    program_get_event_trigger_status};
+    false,
+    program_get_event_trigger_status,
+    &mip_program};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
     {&mip_3dm_get_event_trigger_status_response_codec, NULL},
@@ -986,7 +1089,9 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
     0,
-    program_get_event_trigger_status_response};
+    false,
+    program_get_event_trigger_status_response,
+    &mip_program};
 
 static const uint8_t program_get_event_action_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status, requested_count)),
@@ -1003,7 +1108,9 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status),
     0,
-    program_get_event_action_status};
+    false,
+    program_get_event_action_status,
+    &mip_program};
 
 static const struct mip_response responses_get_event_action_status[] = {
     {&mip_3dm_get_event_action_status_response_codec, NULL},
@@ -1031,7 +1138,9 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status_response),
     0,
-    program_get_event_action_status_response};
+    false,
+    program_get_event_action_status_response,
+    &mip_program};
 
 static const uint8_t program_event_trigger_config[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -1071,7 +1180,9 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config),
     0,
-    program_event_trigger_config};
+    false,
+    program_event_trigger_config,
+    &mip_program};
 
 static bool asked_event_trigger_config_1(const void *value) {
     const struct mip_3dm_event_trigger_config *v =
@@ -1123,7 +1234,9 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config_response),
     0,
-    program_event_trigger_config_response};
+    false,
+    program_event_trigger_config_response,
+    &mip_program};
 
 static const uint8_t program_event_action_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1156,7 +1269,9 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config),
     0,
-    program_event_action_config};
+    false,
+    program_event_action_config,
+    &mip_program};
 
 static bool asked_event_action_config_1(const void *value) {
     const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
@@ -1200,15 +1315,24 @@ const struct mip_codec mip_3dm_event_action_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config_response),
     0,
-    program_event_action_config_response};
+    false,
+    program_event_action_config_response,
+    &mip_program};
 
 static const uint8_t program_device_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_settings, function)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), 0, program_device_settings};
+const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
+                                                        0x30,
+                                                        MIP_COMMAND,
+                                                        1,
+                                                        sizeof(struct mip_3dm_device_settings),
+                                                        0,
+                                                        sizeof(struct mip_3dm_device_settings) >= 8,
+                                                        program_device_settings,
+                                                        NULL};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
                                                             NULL, 2000};
@@ -1231,7 +1355,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler),
     0,
-    program_sensor_to_vehicle_euler};
+    false,
+    program_sensor_to_vehicle_euler,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_euler *v =
@@ -1259,7 +1385,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
     12,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
     0,
-    program_sensor_to_vehicle_euler_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response) >= 8,
+    program_sensor_to_vehicle_euler_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1275,7 +1403,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
     0,
-    program_sensor_to_vehicle_quaternion};
+    false,
+    program_sensor_to_vehicle_quaternion,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_quaternion *v =
@@ -1303,7 +1433,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
     16,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
     0,
-    program_sensor_to_vehicle_quaternion_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response) >= 8,
+    program_sensor_to_vehicle_quaternion_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1319,7 +1451,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
     0,
-    program_sensor_to_vehicle_dcm};
+    false,
+    program_sensor_to_vehicle_dcm,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_dcm *v =
@@ -1347,7 +1481,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     36,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
     0,
-    program_sensor_to_vehicle_dcm_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response) >= 8,
+    program_sensor_to_vehicle_dcm_response,
+    NULL};
 
 static const uint8_t program_gps_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -1362,7 +1498,9 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gps_dynamics_mode),
                                                           0,
-                                                          program_gps_dynamics_mode};
+                                                          false,
+                                                          program_gps_dynamics_mode,
+                                                          &mip_program};
 
 static bool asked_gps_dynamics_mode_1(const void *value) {
     const struct mip_3dm_gps_dynamics_mode *v = (const struct mip_3dm_gps_dynamics_mode *)value;
@@ -1389,7 +1527,9 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_3dm_gps_dynamics_mode_response),
     0,
-    program_gps_dynamics_mode_response};
+    sizeof(struct mip_3dm_gps_dynamics_mode_response) >= 8,
+    program_gps_dynamics_mode_response,
+    NULL};
 
 static const uint8_t program_imu_signal_conditioning[] = {
     MIP_REQUIRED(1, 8),
@@ -1419,7 +1559,9 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
     0,
     sizeof(struct mip_3dm_imu_signal_conditioning),
     0,
-    program_imu_signal_conditioning};
+    false,
+    program_imu_signal_conditioning,
+    &mip_program};
 
 static bool asked_imu_signal_conditioning_1(const void *value) {
     const struct mip_3dm_imu_signal_conditioning *v =
@@ -1451,7 +1593,9 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec = {
     13,
     sizeof(struct mip_3dm_imu_signal_conditioning_response),
     0,
-    program_imu_signal_conditioning_response};
+    false,
+    program_imu_signal_conditioning_response,
+    NULL};
 
 static const uint8_t program_imu_timestamp[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1463,7 +1607,8 @@ static const uint8_t program_imu_timestamp[] = {
 };
 
 const struct mip_codec mip_3dm_imu_timestamp_codec = {
-    0x0C, 0x36, MIP_COMMAND, 0, sizeof(struct mip_3dm_imu_timestamp), 0, program_imu_timestamp};
+    0x0C, 0x36,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
+    0,    false, program_imu_timestamp, &mip_program};
 
 static bool asked_imu_timestamp_1(const void *value) {
     const struct mip_3dm_imu_timestamp *v = (const struct mip_3dm_imu_timestamp *)value;
@@ -1491,7 +1636,9 @@ const struct mip_codec mip_3dm_imu_timestamp_response_codec = {
     5,
     sizeof(struct mip_3dm_imu_timestamp_response),
     0,
-    program_imu_timestamp_response};
+    false,
+    program_imu_timestamp_response,
+    NULL};
 
 static const uint8_t program_accel_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1501,7 +1648,8 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37, MIP_COMMAND, 0, sizeof(struct mip_3dm_accel_bias), 0, program_accel_bias};
+    0x0C, 0x37,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
+    0,    false, program_accel_bias, &mip_program};
 
 static bool silent_accel_bias(const void *value) {
     const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
@@ -1533,7 +1681,9 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_accel_bias_response),
     0,
-    program_accel_bias_response};
+    sizeof(struct mip_3dm_accel_bias_response) >= 8,
+    program_accel_bias_response,
+    NULL};
 
 static const uint8_t program_gyro_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1543,7 +1693,8 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38, MIP_COMMAND, 0, sizeof(struct mip_3dm_gyro_bias), 0, program_gyro_bias};
+    0x0C, 0x38,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
+    0,    false, program_gyro_bias, &mip_program};
 
 static bool silent_gyro_bias(const void *value) {
     const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
@@ -1575,20 +1726,25 @@ const struct mip_codec mip_3dm_gyro_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_gyro_bias_response),
     0,
-    program_gyro_bias_response};
+    sizeof(struct mip_3dm_gyro_bias_response) >= 8,
+    program_gyro_bias_response,
+    NULL};
 
 static const uint8_t program_capture_gyro_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_capture_gyro_bias, averaging_time_ms)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
-                                                          0x39,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_capture_gyro_bias),
-                                                          0,
-                                                          program_capture_gyro_bias};
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
+    0x0C,
+    0x39,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_3dm_capture_gyro_bias),
+    0,
+    sizeof(struct mip_3dm_capture_gyro_bias) >= 8,
+    program_capture_gyro_bias,
+    NULL};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
     {&mip_3dm_gyro_bias_response_codec, NULL},
@@ -1612,7 +1768,9 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     0,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
     0,
-    program_mag_hard_iron_offset};
+    false,
+    program_mag_hard_iron_offset,
+    &mip_program};
 
 static bool silent_mag_hard_iron_offset(const void *value) {
     const struct mip_3dm_mag_hard_iron_offset *v =
@@ -1647,7 +1805,9 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     12,
     sizeof(struct mip_3dm_mag_hard_iron_offset_response),
     0,
-    program_mag_hard_iron_offset_response};
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response) >= 8,
+    program_mag_hard_iron_offset_response,
+    NULL};
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1663,7 +1823,9 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     0,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
     0,
-    program_mag_soft_iron_matrix};
+    false,
+    program_mag_soft_iron_matrix,
+    &mip_program};
 
 static bool silent_mag_soft_iron_matrix(const void *value) {
     const struct mip_3dm_mag_soft_iron_matrix *v =
@@ -1698,7 +1860,9 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     36,
     sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
     0,
-    program_mag_soft_iron_matrix_response};
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response) >= 8,
+    program_mag_soft_iron_matrix_response,
+    NULL};
 
 static const uint8_t program_coning_sculling_enable[] = {
     MIP_REQUIRED(1, 1),
@@ -1714,7 +1878,9 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     0,
     sizeof(struct mip_3dm_coning_sculling_enable),
     0,
-    program_coning_sculling_enable};
+    false,
+    program_coning_sculling_enable,
+    &mip_program};
 
 static bool asked_coning_sculling_enable_1(const void *value) {
     const struct mip_3dm_coning_sculling_enable *v =
@@ -1742,7 +1908,9 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     1,
     sizeof(struct mip_3dm_coning_sculling_enable_response),
     0,
-    program_coning_sculling_enable_response};
+    sizeof(struct mip_3dm_coning_sculling_enable_response) >= 8,
+    program_coning_sculling_enable_response,
+    NULL};
 
 static const uint8_t program_uart_baud_rate[] = {
     MIP_REQUIRED(1, 1),
@@ -1751,8 +1919,15 @@ static const uint8_t program_uart_baud_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C, 0x40, MIP_COMMAND, 0, sizeof(struct mip_3dm_uart_baud_rate), 0, program_uart_baud_rate};
+const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
+                                                       0x40,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_uart_baud_rate),
+                                                       0,
+                                                       false,
+                                                       program_uart_baud_rate,
+                                                       &mip_program};
 
 static bool asked_uart_baud_rate_1(const void *value) {
     const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
@@ -1779,7 +1954,9 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     4,
     sizeof(struct mip_3dm_uart_baud_rate_response),
     0,
-    program_uart_baud_rate_response};
+    sizeof(struct mip_3dm_uart_baud_rate_response) >= 8,
+    program_uart_baud_rate_response,
+    NULL};
 
 static const uint8_t program_gpio_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1795,7 +1972,8 @@ static const uint8_t program_gpio_config[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_config), 0, program_gpio_config};
+    0x0C, 0x41,  MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
+    0,    false, program_gpio_config, &mip_program};
 
 static bool asked_gpio_config_1(const void *value) {
     const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
@@ -1822,7 +2000,9 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     4,
     sizeof(struct mip_3dm_gpio_config_response),
     0,
-    program_gpio_config_response};
+    sizeof(struct mip_3dm_gpio_config_response) >= 8,
+    program_gpio_config_response,
+    NULL};
 
 static const uint8_t program_gpio_state[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1834,7 +2014,8 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_state), 0, program_gpio_state};
+    0x0C, 0x42,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
+    0,    false, program_gpio_state, &mip_program};
 
 static bool asked_gpio_state_1(const void *value) {
     const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
@@ -1861,7 +2042,9 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     2,
     sizeof(struct mip_3dm_gpio_state_response),
     0,
-    program_gpio_state_response};
+    sizeof(struct mip_3dm_gpio_state_response) >= 8,
+    program_gpio_state_response,
+    NULL};
 
 static const uint8_t program_odometer_config[] = {
     MIP_REQUIRED(1, 3),
@@ -1874,8 +2057,15 @@ static const uint8_t program_odometer_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C, 0x43, MIP_COMMAND, 0, sizeof(struct mip_3dm_odometer_config), 0, program_odometer_config};
+const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
+                                                        0x43,
+                                                        MIP_COMMAND,
+                                                        0,
+                                                        sizeof(struct mip_3dm_odometer_config),
+                                                        0,
+                                                        false,
+                                                        program_odometer_config,
+                                                        &mip_program};
 
 static bool asked_odometer_config_1(const void *value) {
     const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
@@ -1903,7 +2093,9 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     9,
     sizeof(struct mip_3dm_odometer_config_response),
     0,
-    program_odometer_config_response};
+    false,
+    program_odometer_config_response,
+    NULL};
 
 static const uint8_t program_imu_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 1, 1, 1, 1),
@@ -1927,7 +2119,9 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     0,
     sizeof(struct mip_3dm_imu_low_pass_filter),
     0,
-    program_imu_low_pass_filter};
+    false,
+    program_imu_low_pass_filter,
+    &mip_program};
 
 static bool asked_imu_low_pass_filter_1(const void *value) {
     const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
@@ -1956,7 +2150,9 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     6,
     sizeof(struct mip_3dm_imu_low_pass_filter_response),
     0,
-    program_imu_low_pass_filter_response};
+    false,
+    program_imu_low_pass_filter_response,
+    NULL};
 
 static const uint8_t program_complementary_filter[] = {
     MIP_REQUIRED(1, 4),
@@ -1978,7 +2174,9 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     0,
     sizeof(struct mip_3dm_complementary_filter),
     0,
-    program_complementary_filter};
+    false,
+    program_complementary_filter,
+    &mip_program};
 
 static bool asked_complementary_filter_1(const void *value) {
     const struct mip_3dm_complementary_filter *v =
@@ -2007,7 +2205,9 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     10,
     sizeof(struct mip_3dm_complementary_filter_response),
     0,
-    program_complementary_filter_response};
+    false,
+    program_complementary_filter_response,
+    NULL};
 
 static const uint8_t program_sensor_range[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2019,7 +2219,8 @@ static const uint8_t program_sensor_range[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52, MIP_COMMAND, 0, sizeof(struct mip_3dm_sensor_range), 0, program_sensor_range};
+    0x0C, 0x52,  MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
+    0,    false, program_sensor_range, &mip_program};
 
 static bool asked_sensor_range_1(const void *value) {
     const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
@@ -2046,7 +2247,9 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     2,
     sizeof(struct mip_3dm_sensor_range_response),
     0,
-    program_sensor_range_response};
+    sizeof(struct mip_3dm_sensor_range_response) >= 8,
+    program_sensor_range_response,
+    NULL};
 
 static const uint8_t program_get_calibrated_sensor_ranges[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges, sensor)),
@@ -2060,7 +2263,9 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     1,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
     0,
-    program_get_calibrated_sensor_ranges};
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges) >= 8,
+    program_get_calibrated_sensor_ranges,
+    NULL};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
     {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
@@ -2089,7 +2294,9 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
     0,
-    program_get_calibrated_sensor_ranges_response};
+    false,
+    program_get_calibrated_sensor_ranges_response,
+    &mip_program};
 
 static const uint8_t program_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 2, 2, 2, 2),
@@ -2106,8 +2313,15 @@ static const uint8_t program_low_pass_filter[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C, 0x54, MIP_COMMAND, 0, sizeof(struct mip_3dm_low_pass_filter), 0, program_low_pass_filter};
+const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
+                                                        0x54,
+                                                        MIP_COMMAND,
+                                                        0,
+                                                        sizeof(struct mip_3dm_low_pass_filter),
+                                                        0,
+                                                        false,
+                                                        program_low_pass_filter,
+                                                        &mip_program};
 
 static bool asked_low_pass_filter_1(const void *value) {
     const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
@@ -2135,7 +2349,9 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     8,
     sizeof(struct mip_3dm_low_pass_filter_response),
     0,
-    program_low_pass_filter_response};
+    sizeof(struct mip_3dm_low_pass_filter_response) >= 8,
+    program_low_pass_filter_response,
+    NULL};
 
 static const uint8_t program_data_stream_format[] = {
     MIP_REQUIRED(5, 2, 2, 2, 2, 2),
@@ -2153,7 +2369,9 @@ const struct mip_codec mip_3dm_data_stream_format_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_format),
     0,
-    program_data_stream_format};
+    false,
+    program_data_stream_format,
+    &mip_program};
 
 static bool asked_data_stream_format_1(const void *value) {
     const struct mip_3dm_data_stream_format *v = (const struct mip_3dm_data_stream_format *)value;
@@ -2180,7 +2398,9 @@ const struct mip_codec mip_3dm_data_stream_format_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_format_response),
     0,
-    program_data_stream_format_response};
+    sizeof(struct mip_3dm_data_stream_format_response) >= 8,
+    program_data_stream_format_response,
+    NULL};
 
 static const uint8_t program_device_power_state[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2198,7 +2418,9 @@ const struct mip_codec mip_3dm_device_power_state_codec = {
     0,
     sizeof(struct mip_3dm_device_power_state),
     0,
-    program_device_power_state};
+    false,
+    program_device_power_state,
+    &mip_program};
 
 static bool asked_device_power_state_1(const void *value) {
     const struct mip_3dm_device_power_state *v = (const struct mip_3dm_device_power_state *)value;
@@ -2225,7 +2447,9 @@ const struct mip_codec mip_3dm_device_power_state_response_codec = {
     2,
     sizeof(struct mip_3dm_device_power_state_response),
     0,
-    program_device_power_state_response};
+    sizeof(struct mip_3dm_device_power_state_response) >= 8,
+    program_device_power_state_response,
+    NULL};
 
 static const uint8_t program_gps_advanced_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_advanced_settings, function)),
@@ -2239,7 +2463,9 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     1,
     sizeof(struct mip_3dm_gps_advanced_settings),
     0,
-    program_gps_advanced_settings};
+    sizeof(struct mip_3dm_gps_advanced_settings) >= 8,
+    program_gps_advanced_settings,
+    NULL};
 
 const struct mip_command mip_3dm_gps_advanced_settings_command = {
     &mip_3dm_gps_advanced_settings_codec, NULL, NULL, 0};
@@ -2250,8 +2476,15 @@ static const uint8_t program_device_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, 0x64, MIP_COMMAND, 3, sizeof(struct mip_3dm_device_status), 0, program_device_status};
+const struct mip_codec mip_3dm_device_status_codec = {0x0C,
+                                                      0x64,
+                                                      MIP_COMMAND,
+                                                      3,
+                                                      sizeof(struct mip_3dm_device_status),
+                                                      0,
+                                                      sizeof(struct mip_3dm_device_status) >= 8,
+                                                      program_device_status,
+                                                      NULL};
 
 static bool asked_device_status_1(const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
@@ -2295,7 +2528,9 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_response),
     0,
-    program_device_status_basic_response};
+    false,
+    program_device_status_basic_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_basic_stateless_response[] = {
     MIP_LAYOUT(0, 12, 1, 2, 0x01),
@@ -2312,7 +2547,9 @@ const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_stateless_response),
     0,
-    program_device_status_basic_stateless_response};
+    false,
+    program_device_status_basic_stateless_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
     MIP_LAYOUT(0, 59, 1, 2, 0x02),
@@ -2333,7 +2570,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
     0,
-    program_device_status_diagnostic_response};
+    false,
+    program_device_status_diagnostic_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gnss_response[] = {
     MIP_LAYOUT(77, 79, 1, 2, 0x02),
@@ -2358,7 +2597,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
     0,
-    program_device_status_diagnostic_gnss_response};
+    false,
+    program_device_status_diagnostic_gnss_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
     MIP_LAYOUT(80, 85, 1, 2, 0x02),
@@ -2391,7 +2632,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
     0,
-    program_device_status_diagnostic_gq4_45_response};
+    false,
+    program_device_status_diagnostic_gq4_45_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
     MIP_LAYOUT(86, 253, 1, 2, 0x02),
@@ -2423,7 +2666,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
     0,
-    program_device_status_diagnostic_rq1_45_response};
+    false,
+    program_device_status_diagnostic_rq1_45_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gx4_response[] = {
     MIP_LAYOUT(73, 76, 1, 2, 0x02),
@@ -2443,7 +2688,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
     0,
-    program_device_status_diagnostic_gx4_response};
+    false,
+    program_device_status_diagnostic_gx4_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
     MIP_LAYOUT(60, 72, 1, 2, 0x02),
@@ -2468,4 +2715,6 @@ const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
     0,
-    program_device_status_diagnostic_imu_response};
+    false,
+    program_device_status_diagnostic_imu_response,
+    &mip_layout};

@@ -455,7 +455,7 @@ extern MIP_API const struct mip_codec mip_3dm_poll_imu_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_imu_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_imu_data_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -523,7 +523,7 @@ extern MIP_API const struct mip_codec mip_3dm_poll_gnss_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_gnss_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_gnss_data_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -589,7 +589,7 @@ extern MIP_API const struct mip_codec mip_3dm_poll_filter_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_filter_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_filter_data_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -654,7 +654,7 @@ extern MIP_API const struct mip_codec mip_3dm_poll_nmea_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_nmea_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_nmea_data_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -708,7 +708,7 @@ extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_imu_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_imu_base_rate_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -743,7 +743,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
     struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_imu_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_imu_base_rate_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -807,7 +808,7 @@ extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_gnss_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_gnss_base_rate_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -843,7 +844,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
     struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_gnss_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_gnss_base_rate_response_codec, 0x84, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -921,7 +923,7 @@ extern MIP_API const struct mip_codec mip_3dm_imu_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_message_format_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1002,7 +1004,8 @@ extern MIP_API const struct mip_codec mip_3dm_imu_message_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_response_decode(
     struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_message_format_response_codec, 0x80, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1054,7 +1057,7 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_decode(
     struct mip_3dm_gnss_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_message_format_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1137,7 +1140,8 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_response_decode(
     struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_message_format_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1190,7 +1194,8 @@ extern MIP_API const struct mip_codec mip_3dm_filter_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_decode(
     struct mip_3dm_filter_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_filter_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_filter_message_format_codec, 0x0A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1272,7 +1277,8 @@ extern MIP_API const struct mip_codec mip_3dm_filter_message_format_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_response_decode(
     struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_filter_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_filter_message_format_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1309,7 +1315,7 @@ extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_decode(
     struct mip_3dm_get_filter_base_rate *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_filter_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_filter_base_rate_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1344,7 +1350,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
     struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_filter_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_filter_base_rate_response_codec, 0x8A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1423,7 +1430,7 @@ extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_decode(
     struct mip_3dm_nmea_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_nmea_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_nmea_message_format_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1503,7 +1510,8 @@ extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_response_decode(
     struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_nmea_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_nmea_message_format_response_codec, 0x8C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1554,7 +1562,7 @@ extern MIP_API const struct mip_codec mip_3dm_poll_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_data_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1611,7 +1619,7 @@ extern MIP_API const struct mip_codec mip_3dm_get_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_base_rate_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1684,7 +1692,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_response_decode(
     struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_base_rate_response_codec, 0x8E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1766,7 +1775,7 @@ extern MIP_API const struct mip_codec mip_3dm_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_message_format_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1870,7 +1879,8 @@ extern MIP_API const struct mip_codec mip_3dm_message_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_response_decode(
     struct mip_3dm_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_message_format_response_codec, 0x8F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1908,7 +1918,7 @@ extern MIP_API const struct mip_codec mip_3dm_factory_streaming_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_factory_streaming_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_factory_streaming_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2010,7 +2020,7 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_decode(
     struct mip_3dm_data_stream_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_control_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2150,7 +2160,8 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_control_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_response_decode(
     struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_control_response_codec, 0x85, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2222,7 +2233,7 @@ extern MIP_API const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
     struct mip_3dm_raw_rtcm_2_3_message *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_raw_rtcm_2_3_message_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_raw_rtcm_2_3_message_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2303,7 +2314,8 @@ extern MIP_API const struct mip_codec mip_3dm_constellation_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_decode(
     struct mip_3dm_constellation_settings *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_constellation_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_constellation_settings_codec, 0x21, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2394,7 +2406,8 @@ extern MIP_API const struct mip_codec mip_3dm_constellation_settings_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_response_decode(
     struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_constellation_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_constellation_settings_response_codec, 0xA0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2452,7 +2465,7 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_sbas_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_sbas_settings_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2543,7 +2556,8 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
     struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_sbas_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_sbas_settings_response_codec, 0xA1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2603,7 +2617,7 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_assisted_fix_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_assisted_fix_codec, 0x23, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2690,7 +2704,8 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
     struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_assisted_fix_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_assisted_fix_response_codec, 0xA2, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2768,7 +2783,7 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_decode(
     struct mip_3dm_gnss_time_assistance *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_time_assistance_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_time_assistance_codec, 0x24, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2831,7 +2846,8 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
     struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_time_assistance_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_time_assistance_response_codec, 0xA3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2913,7 +2929,7 @@ extern MIP_API const struct mip_codec mip_3dm_pps_source_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_pps_source_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_pps_source_control_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2990,7 +3006,8 @@ extern MIP_API const struct mip_codec mip_3dm_pps_source_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_response_decode(
     struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_pps_source_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_pps_source_control_response_codec, 0xA8, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3052,7 +3069,7 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_support_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_support_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_support_codec, 0x2A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3133,7 +3150,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_support_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_response_decode(
     struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_support_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_support_response_codec, 0xB4, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3186,7 +3204,7 @@ extern MIP_API const struct mip_codec mip_3dm_event_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_control_codec, 0x2B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3288,7 +3306,8 @@ extern MIP_API const struct mip_codec mip_3dm_event_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_response_decode(
     struct mip_3dm_event_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_control_response_codec, 0xB5, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3357,7 +3376,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_decode(
     struct mip_3dm_get_event_trigger_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_trigger_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_trigger_status_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3409,7 +3429,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
     struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_trigger_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_trigger_status_response_codec, 0xB6, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3450,7 +3471,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_decode(
     struct mip_3dm_get_event_action_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_action_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_action_status_codec, 0x2D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3502,7 +3524,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_response_decode(
     struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_action_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_action_status_response_codec, 0xB7, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3576,7 +3599,7 @@ extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_decode(
     struct mip_3dm_event_trigger_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_trigger_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_trigger_config_codec, 0x2E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3704,7 +3727,8 @@ extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_response_decode(
     struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_trigger_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_trigger_config_response_codec, 0xB8, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3776,7 +3800,7 @@ extern MIP_API const struct mip_codec mip_3dm_event_action_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_decode(
     struct mip_3dm_event_action_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_action_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_action_config_codec, 0x2F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3900,7 +3924,8 @@ extern MIP_API const struct mip_codec mip_3dm_event_action_config_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_response_decode(
     struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_action_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_action_config_response_codec, 0xB9, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3943,7 +3968,7 @@ extern MIP_API const struct mip_codec mip_3dm_device_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_settings_codec, 0x30, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4057,7 +4082,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
     struct mip_3dm_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_codec, 0x31, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4143,7 +4169,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
     struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_response_codec, 0xB1, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4236,7 +4263,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
     struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_codec, 0x32, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4319,7 +4347,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
     struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, 0xB2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4413,7 +4442,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
     struct mip_3dm_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_codec, 0x33, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4494,7 +4524,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
     struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_response_codec, 0xB3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4571,7 +4602,7 @@ extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dynamics_mode *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_dynamics_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_dynamics_mode_codec, 0x34, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4647,7 +4678,8 @@ extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
     struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_dynamics_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_dynamics_mode_response_codec, 0x92, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4754,7 +4786,8 @@ extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_decode(
     struct mip_3dm_imu_signal_conditioning *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_signal_conditioning_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_signal_conditioning_codec, 0x35, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4872,7 +4905,8 @@ extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
     struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_signal_conditioning_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_signal_conditioning_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4960,7 +4994,7 @@ extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestamp *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_timestamp_codec, 0x36, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5024,7 +5058,8 @@ extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_response_decode(
     struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_timestamp_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_timestamp_response_codec, 0x93, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5101,7 +5136,7 @@ extern MIP_API const struct mip_codec mip_3dm_accel_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_3dm_accel_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_accel_bias_codec, 0x37, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5192,7 +5227,7 @@ extern MIP_API const struct mip_codec mip_3dm_accel_bias_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_response_decode(
     struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_accel_bias_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_accel_bias_response_codec, 0x9A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5272,7 +5307,7 @@ extern MIP_API const struct mip_codec mip_3dm_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gyro_bias_codec, 0x38, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5363,7 +5398,7 @@ extern MIP_API const struct mip_codec mip_3dm_gyro_bias_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gyro_bias_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gyro_bias_response_codec, 0x9B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5440,7 +5475,7 @@ extern MIP_API const struct mip_codec mip_3dm_capture_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_capture_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_capture_gyro_bias_codec, 0x39, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5535,7 +5570,7 @@ extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
     struct mip_3dm_mag_hard_iron_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_hard_iron_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_codec, 0x3A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5626,7 +5661,8 @@ extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
     struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_hard_iron_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_response_codec, 0x9C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5714,7 +5750,7 @@ extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
     struct mip_3dm_mag_soft_iron_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_soft_iron_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_codec, 0x3B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5808,7 +5844,8 @@ extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
     struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_response_codec, 0x9D, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5883,7 +5920,8 @@ extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_decode(
     struct mip_3dm_coning_sculling_enable *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_coning_sculling_enable_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_coning_sculling_enable_codec, 0x3E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5958,7 +5996,8 @@ extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
     struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_coning_sculling_enable_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_coning_sculling_enable_response_codec, 0x9E, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6039,7 +6078,7 @@ extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_uart_baud_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_uart_baud_rate_codec, 0x40, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6116,7 +6155,8 @@ extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_response_decode(
     struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_uart_baud_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_uart_baud_rate_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6215,7 +6255,7 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_config_codec, 0x41, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6337,7 +6377,7 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_response_decode(
     struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_config_response_codec, 0xC1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6425,7 +6465,7 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_state_codec, 0x42, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6487,7 +6527,7 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_state_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_response_decode(
     struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_state_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_state_response_codec, 0xC2, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6568,7 +6608,7 @@ extern MIP_API const struct mip_codec mip_3dm_odometer_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_odometer_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_odometer_config_codec, 0x43, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6657,7 +6697,8 @@ extern MIP_API const struct mip_codec mip_3dm_odometer_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_response_decode(
     struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_odometer_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_odometer_config_response_codec, 0xC3, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6758,7 +6799,7 @@ extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_decode(
     struct mip_3dm_imu_low_pass_filter *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_low_pass_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_low_pass_filter_codec, 0x50, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6889,7 +6930,8 @@ extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
     struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_low_pass_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_low_pass_filter_response_codec, 0x8B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6997,7 +7039,7 @@ extern MIP_API const struct mip_codec mip_3dm_complementary_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_decode(
     struct mip_3dm_complementary_filter *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_complementary_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_complementary_filter_codec, 0x51, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7093,7 +7135,8 @@ extern MIP_API const struct mip_codec mip_3dm_complementary_filter_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_response_decode(
     struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_complementary_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_complementary_filter_response_codec, 0x97, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7174,7 +7217,7 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_range_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_range_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_range_codec, 0x52, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7272,7 +7315,8 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_range_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_response_decode(
     struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_range_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_range_response_codec, 0xD2, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7337,7 +7381,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
     struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_codec, 0x53, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7420,7 +7465,8 @@ extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
     struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_response_codec, 0xD3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7482,7 +7528,7 @@ extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_low_pass_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_low_pass_filter_codec, 0x54, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7604,7 +7650,8 @@ extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_response_decode(
     struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_low_pass_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_low_pass_filter_response_codec, 0xD4, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7692,7 +7739,7 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_stream_format *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_format_codec, 0x60, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7805,7 +7852,8 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_response_decode(
     struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_format_response_codec, 0x88, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7883,7 +7931,7 @@ extern MIP_API const struct mip_codec mip_3dm_device_power_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_power_state *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_power_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_power_state_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7984,7 +8032,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_power_state_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_response_decode(
     struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_power_state_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_power_state_response_codec, 0x89, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8054,7 +8103,8 @@ extern MIP_API const struct mip_codec mip_3dm_gps_advanced_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_advanced_settings_decode(
     struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_advanced_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_advanced_settings_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8154,7 +8204,7 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_codec, 0x64, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8250,7 +8300,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_basic_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_response_decode(
     struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_basic_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8306,7 +8357,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_basic_stateless_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_stateless_response_decode(
     struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_stateless_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_basic_stateless_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8384,7 +8436,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
     struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8481,7 +8534,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gnss_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
     struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8584,7 +8638,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
     struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8687,7 +8742,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
     struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8780,7 +8836,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
     struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8873,7 +8930,8 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_imu_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
     struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -162,7 +162,7 @@ extern MIP_API const struct mip_codec mip_aiding_frame_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_frame_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_frame_config_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -297,7 +297,8 @@ extern MIP_API const struct mip_codec mip_aiding_frame_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_response_decode(
     struct mip_aiding_frame_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_frame_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_frame_config_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -346,7 +347,7 @@ extern MIP_API const struct mip_codec mip_aiding_echo_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_echo_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_echo_control_codec, 0x1F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -422,7 +423,8 @@ extern MIP_API const struct mip_codec mip_aiding_echo_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_response_decode(
     struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_echo_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_echo_control_response_codec, 0x9F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -507,7 +509,7 @@ extern MIP_API const struct mip_codec mip_aiding_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ecef_position_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -651,7 +653,7 @@ extern MIP_API const struct mip_codec mip_aiding_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_llh_position_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -777,7 +779,8 @@ extern MIP_API const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_height_above_ellipsoid_decode(
     struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_height_above_ellipsoid_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_height_above_ellipsoid_codec, 0x23, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -898,7 +901,7 @@ extern MIP_API const struct mip_codec mip_aiding_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ecef_velocity_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1032,7 +1035,7 @@ extern MIP_API const struct mip_codec mip_aiding_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ned_velocity_codec, 0x29, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1172,7 +1175,8 @@ extern MIP_API const struct mip_codec mip_aiding_body_frame_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_body_frame_velocity_decode(
     struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_body_frame_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_body_frame_velocity_codec, 0x2A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1293,7 +1297,7 @@ extern MIP_API const struct mip_codec mip_aiding_true_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_true_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_true_heading_codec, 0x31, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1411,7 +1415,7 @@ extern MIP_API const struct mip_codec mip_aiding_magnetic_field_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_aiding_magnetic_field_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_magnetic_field_codec, 0x32, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1532,7 +1536,7 @@ extern MIP_API const struct mip_codec mip_aiding_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_aiding_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_pressure_codec, 0x33, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, false, program_ping, NULL};
 
 const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, NULL, NULL, 0};
 
@@ -17,7 +17,7 @@ static const uint8_t program_set_idle[] = {
 };
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, program_set_idle};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, false, program_set_idle, NULL};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec, NULL, NULL, 0};
 
@@ -31,7 +31,9 @@ const struct mip_codec mip_base_get_device_info_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_get_device_info),
                                                          0,
-                                                         program_get_device_info};
+                                                         false,
+                                                         program_get_device_info,
+                                                         NULL};
 
 static const struct mip_response responses_get_device_info[] = {
     {&mip_base_get_device_info_response_codec, NULL},
@@ -55,10 +57,12 @@ const struct mip_codec mip_base_get_device_info_response_codec = {
     0x01,
     0x81,
     MIP_RESPONSE,
-    0,
+    82,
     sizeof(struct mip_base_get_device_info_response),
     0,
-    program_get_device_info_response};
+    false,
+    program_get_device_info_response,
+    NULL};
 
 static const uint8_t program_get_device_descriptors[] = {
     MIP_END,
@@ -71,7 +75,9 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors),
     0,
-    program_get_device_descriptors};
+    false,
+    program_get_device_descriptors,
+    NULL};
 
 static const struct mip_response responses_get_device_descriptors[] = {
     {&mip_base_get_device_descriptors_response_codec, NULL},
@@ -94,14 +100,17 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors_response),
     0,
-    program_get_device_descriptors_response};
+    false,
+    program_get_device_descriptors_response,
+    &mip_program};
 
 static const uint8_t program_built_in_test[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_base_built_in_test), 0, program_built_in_test};
+    0x01, 0x05,  MIP_COMMAND,           0,   sizeof(struct mip_base_built_in_test),
+    0,    false, program_built_in_test, NULL};
 
 static const struct mip_response responses_built_in_test[] = {
     {&mip_base_built_in_test_response_codec, NULL},
@@ -123,14 +132,16 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     4,
     sizeof(struct mip_base_built_in_test_response),
     0,
-    program_built_in_test_response};
+    sizeof(struct mip_base_built_in_test_response) >= 8,
+    program_built_in_test_response,
+    NULL};
 
 static const uint8_t program_resume[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, program_resume};
+    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, false, program_resume, NULL};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec, NULL, NULL, 0};
 
@@ -145,7 +156,9 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors),
     0,
-    program_get_extended_descriptors};
+    false,
+    program_get_extended_descriptors,
+    NULL};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
     {&mip_base_get_extended_descriptors_response_codec, NULL},
@@ -168,7 +181,9 @@ const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors_response),
     0,
-    program_get_extended_descriptors_response};
+    false,
+    program_get_extended_descriptors_response,
+    &mip_program};
 
 static const uint8_t program_continuous_built_in_test[] = {
     MIP_END,
@@ -181,7 +196,9 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     0,
     sizeof(struct mip_base_continuous_built_in_test),
     0,
-    program_continuous_built_in_test};
+    false,
+    program_continuous_built_in_test,
+    NULL};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
     {&mip_base_continuous_built_in_test_response_codec, NULL},
@@ -203,7 +220,9 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     16,
     sizeof(struct mip_base_continuous_built_in_test_response),
     0,
-    program_continuous_built_in_test_response};
+    sizeof(struct mip_base_continuous_built_in_test_response) >= 8,
+    program_continuous_built_in_test_response,
+    NULL};
 
 static const uint8_t program_comm_speed[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -215,7 +234,8 @@ static const uint8_t program_comm_speed[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_base_comm_speed), 0, program_comm_speed};
+    0x01, 0x09,  MIP_COMMAND,        0,           sizeof(struct mip_base_comm_speed),
+    0,    false, program_comm_speed, &mip_program};
 
 static bool asked_comm_speed_1(const void *value) {
     const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
@@ -243,7 +263,9 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     5,
     sizeof(struct mip_base_comm_speed_response),
     0,
-    program_comm_speed_response};
+    false,
+    program_comm_speed_response,
+    NULL};
 
 static const uint8_t program_gps_time_update[] = {
     MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
@@ -260,7 +282,9 @@ const struct mip_codec mip_base_gps_time_update_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_gps_time_update),
                                                          0,
-                                                         program_gps_time_update};
+                                                         false,
+                                                         program_gps_time_update,
+                                                         &mip_program};
 
 static bool silent_gps_time_update(const void *value) {
     const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
@@ -298,7 +322,9 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_week_number_response),
     0,
-    program_gps_time_update_week_number_response};
+    sizeof(struct mip_base_gps_time_update_week_number_response) >= 8,
+    program_gps_time_update_week_number_response,
+    NULL};
 
 static const uint8_t program_gps_time_update_tow_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_gps_time_update_tow_response, tow)),
@@ -312,13 +338,16 @@ const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_tow_response),
     0,
-    program_gps_time_update_tow_response};
+    sizeof(struct mip_base_gps_time_update_tow_response) >= 8,
+    program_gps_time_update_tow_response,
+    NULL};
 
 static const uint8_t program_soft_reset[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), 0, program_soft_reset};
+    0x01, 0x7E,  MIP_COMMAND,        0,   sizeof(struct mip_base_soft_reset),
+    0,    false, program_soft_reset, NULL};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec, NULL, NULL, 0};

@@ -85,7 +85,7 @@ extern MIP_API const struct mip_codec mip_base_ping_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
                                              const struct mip_field *field) {
-    return mip_decode(&mip_base_ping_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -126,7 +126,7 @@ extern MIP_API const struct mip_codec mip_base_set_idle_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_base_set_idle_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_set_idle_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -164,7 +164,7 @@ extern MIP_API const struct mip_codec mip_base_get_device_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_info_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -200,7 +200,8 @@ extern MIP_API const struct mip_codec mip_base_get_device_info_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_response_decode(
     struct mip_base_get_device_info_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_info_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_info_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -282,7 +283,8 @@ extern MIP_API const struct mip_codec mip_base_get_device_descriptors_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_decode(
     struct mip_base_get_device_descriptors *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_descriptors_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_descriptors_codec, 0x04, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -323,7 +325,8 @@ extern MIP_API const struct mip_codec mip_base_get_device_descriptors_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_response_decode(
     struct mip_base_get_device_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_descriptors_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_descriptors_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -369,7 +372,7 @@ extern MIP_API const struct mip_codec mip_base_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_base_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_built_in_test_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -411,7 +414,8 @@ extern MIP_API const struct mip_codec mip_base_built_in_test_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_response_decode(
     struct mip_base_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_built_in_test_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_built_in_test_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -476,7 +480,7 @@ extern MIP_API const struct mip_codec mip_base_resume_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_base_resume_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_resume_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -517,7 +521,8 @@ extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_decode(
     struct mip_base_get_extended_descriptors *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_extended_descriptors_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_extended_descriptors_codec, 0x07, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -558,7 +563,8 @@ extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_response_decode(
     struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_extended_descriptors_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_extended_descriptors_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -602,7 +608,8 @@ extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_decode(
     struct mip_base_continuous_built_in_test *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_continuous_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_continuous_built_in_test_codec, 0x08, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -640,7 +647,8 @@ extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_response_decode(
     struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_continuous_built_in_test_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_continuous_built_in_test_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -721,7 +729,7 @@ extern MIP_API const struct mip_codec mip_base_comm_speed_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_base_comm_speed_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_comm_speed_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -824,7 +832,7 @@ extern MIP_API const struct mip_codec mip_base_comm_speed_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_response_decode(
     struct mip_base_comm_speed_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_comm_speed_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_comm_speed_response_codec, 0x89, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -919,7 +927,7 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_codec, 0x72, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1006,7 +1014,8 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_week_number_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_week_number_response_decode(
     struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_week_number_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_week_number_response_codec, 0x84, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1073,7 +1082,8 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_tow_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_tow_response_decode(
     struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_tow_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_tow_response_codec, 0x85, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1137,7 +1147,7 @@ extern MIP_API const struct mip_codec mip_base_soft_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_base_soft_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_soft_reset_codec, 0x7E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

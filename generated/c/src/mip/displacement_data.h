@@ -47,7 +47,8 @@ extern MIP_API const struct mip_codec mip_displacement_data_displacement_raw_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_raw_decode(
     struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
-    return mip_decode(&mip_displacement_data_displacement_raw_codec, value, field, NULL);
+    return mip_decode_only(&mip_displacement_data_displacement_raw_codec, 0x01, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -109,7 +110,8 @@ extern MIP_API const struct mip_codec mip_displacement_data_displacement_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_decode(
     struct mip_displacement_data_displacement *value, const struct mip_field *field) {
-    return mip_decode(&mip_displacement_data_displacement_codec, value, field, NULL);
+    return mip_decode_only(&mip_displacement_data_displacement_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -8,7 +8,7 @@ static const uint8_t program_reset[] = {
 };
 
 const struct mip_codec mip_filter_reset_codec = {
-    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, program_reset};
+    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, false, program_reset, NULL};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec, NULL, NULL, 0};
 
@@ -24,7 +24,9 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     12,
     sizeof(struct mip_filter_set_initial_attitude),
     0,
-    program_set_initial_attitude};
+    sizeof(struct mip_filter_set_initial_attitude) >= 8,
+    program_set_initial_attitude,
+    NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
     &mip_filter_set_initial_attitude_codec, NULL, NULL, 0};
@@ -41,7 +43,9 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     4,
     sizeof(struct mip_filter_set_initial_heading),
     0,
-    program_set_initial_heading};
+    sizeof(struct mip_filter_set_initial_heading) >= 8,
+    program_set_initial_heading,
+    NULL};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
     &mip_filter_set_initial_heading_codec, NULL, NULL, 0};
@@ -58,7 +62,9 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     4,
     sizeof(struct mip_filter_set_initial_attitude_from_imu),
     0,
-    program_set_initial_attitude_from_imu};
+    sizeof(struct mip_filter_set_initial_attitude_from_imu) >= 8,
+    program_set_initial_attitude_from_imu,
+    NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
     &mip_filter_set_initial_attitude_from_imu_codec, NULL, NULL, 0};
@@ -68,7 +74,7 @@ static const uint8_t program_run[] = {
 };
 
 const struct mip_codec mip_filter_run_codec = {
-    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, program_run};
+    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, false, program_run, NULL};
 
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, NULL, NULL, 0};
 
@@ -86,7 +92,9 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     0,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
     0,
-    program_vehicle_dynamics_mode};
+    false,
+    program_vehicle_dynamics_mode,
+    &mip_program};
 
 static bool asked_vehicle_dynamics_mode_1(const void *value) {
     const struct mip_filter_vehicle_dynamics_mode *v =
@@ -114,7 +122,9 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
     0,
-    program_vehicle_dynamics_mode_response};
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response) >= 8,
+    program_vehicle_dynamics_mode_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -134,7 +144,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_euler),
     0,
-    program_sensor_to_vehicle_euler};
+    false,
+    program_sensor_to_vehicle_euler,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
     const struct mip_filter_sensor_to_vehicle_euler *v =
@@ -162,7 +174,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
     0,
-    program_sensor_to_vehicle_euler_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_euler_response) >= 8,
+    program_sensor_to_vehicle_euler_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -178,7 +192,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
     0,
-    program_sensor_to_vehicle_offset};
+    false,
+    program_sensor_to_vehicle_offset,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_offset_1(const void *value) {
     const struct mip_filter_sensor_to_vehicle_offset *v =
@@ -206,7 +222,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
     0,
-    program_sensor_to_vehicle_offset_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response) >= 8,
+    program_sensor_to_vehicle_offset_response,
+    NULL};
 
 static const uint8_t program_antenna_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -221,7 +239,9 @@ const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_antenna_offset),
                                                           0,
-                                                          program_antenna_offset};
+                                                          false,
+                                                          program_antenna_offset,
+                                                          &mip_program};
 
 static bool asked_antenna_offset_1(const void *value) {
     const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
@@ -248,7 +268,9 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     12,
     sizeof(struct mip_filter_antenna_offset_response),
     0,
-    program_antenna_offset_response};
+    sizeof(struct mip_filter_antenna_offset_response) >= 8,
+    program_antenna_offset_response,
+    NULL};
 
 static const uint8_t program_estimation_control[] = {
     MIP_REQUIRED(1, 1),
@@ -264,7 +286,9 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     0,
     sizeof(struct mip_filter_estimation_control),
     0,
-    program_estimation_control};
+    false,
+    program_estimation_control,
+    &mip_program};
 
 static bool asked_estimation_control_1(const void *value) {
     const struct mip_filter_estimation_control *v =
@@ -292,7 +316,9 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     2,
     sizeof(struct mip_filter_estimation_control_response),
     0,
-    program_estimation_control_response};
+    sizeof(struct mip_filter_estimation_control_response) >= 8,
+    program_estimation_control_response,
+    NULL};
 
 static const uint8_t program_gnss_source[] = {
     MIP_REQUIRED(1, 1),
@@ -302,7 +328,8 @@ static const uint8_t program_gnss_source[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15, MIP_COMMAND, 0, sizeof(struct mip_filter_gnss_source), 0, program_gnss_source};
+    0x0D, 0x15,  MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
+    0,    false, program_gnss_source, &mip_program};
 
 static bool asked_gnss_source_1(const void *value) {
     const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
@@ -329,7 +356,9 @@ const struct mip_codec mip_filter_gnss_source_response_codec = {
     1,
     sizeof(struct mip_filter_gnss_source_response),
     0,
-    program_gnss_source_response};
+    sizeof(struct mip_filter_gnss_source_response) >= 8,
+    program_gnss_source_response,
+    NULL};
 
 static const uint8_t program_external_gnss_update[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_gnss_update, tow)),
@@ -346,7 +375,9 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     70,
     sizeof(struct mip_filter_external_gnss_update),
     0,
-    program_external_gnss_update};
+    false,
+    program_external_gnss_update,
+    NULL};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
     &mip_filter_external_gnss_update_codec, NULL, NULL, 0};
@@ -364,7 +395,9 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     9,
     sizeof(struct mip_filter_external_heading_update),
     0,
-    program_external_heading_update};
+    sizeof(struct mip_filter_external_heading_update) >= 8,
+    program_external_heading_update,
+    NULL};
 
 const struct mip_command mip_filter_external_heading_update_command = {
     &mip_filter_external_heading_update_codec, NULL, NULL, 0};
@@ -382,7 +415,9 @@ const struct mip_codec mip_filter_heading_source_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_heading_source),
                                                           0,
-                                                          program_heading_source};
+                                                          false,
+                                                          program_heading_source,
+                                                          &mip_program};
 
 static bool asked_heading_source_1(const void *value) {
     const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
@@ -409,7 +444,9 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     1,
     sizeof(struct mip_filter_heading_source_response),
     0,
-    program_heading_source_response};
+    sizeof(struct mip_filter_heading_source_response) >= 8,
+    program_heading_source_response,
+    NULL};
 
 static const uint8_t program_auto_initialization_control[] = {
     MIP_REQUIRED(1, 1),
@@ -425,7 +462,9 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     0,
     sizeof(struct mip_filter_auto_initialization_control),
     0,
-    program_auto_initialization_control};
+    false,
+    program_auto_initialization_control,
+    &mip_program};
 
 static bool asked_auto_initialization_control_1(const void *value) {
     const struct mip_filter_auto_initialization_control *v =
@@ -453,7 +492,9 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     1,
     sizeof(struct mip_filter_auto_initialization_control_response),
     0,
-    program_auto_initialization_control_response};
+    sizeof(struct mip_filter_auto_initialization_control_response) >= 8,
+    program_auto_initialization_control_response,
+    NULL};
 
 static const uint8_t program_accel_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -463,7 +504,8 @@ static const uint8_t program_accel_noise[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A, MIP_COMMAND, 0, sizeof(struct mip_filter_accel_noise), 0, program_accel_noise};
+    0x0D, 0x1A,  MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
+    0,    false, program_accel_noise, &mip_program};
 
 static bool asked_accel_noise_1(const void *value) {
     const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
@@ -490,7 +532,9 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     12,
     sizeof(struct mip_filter_accel_noise_response),
     0,
-    program_accel_noise_response};
+    sizeof(struct mip_filter_accel_noise_response) >= 8,
+    program_accel_noise_response,
+    NULL};
 
 static const uint8_t program_gyro_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -500,7 +544,8 @@ static const uint8_t program_gyro_noise[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_noise), 0, program_gyro_noise};
+    0x0D, 0x1B,  MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
+    0,    false, program_gyro_noise, &mip_program};
 
 static bool asked_gyro_noise_1(const void *value) {
     const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
@@ -527,7 +572,9 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gyro_noise_response),
     0,
-    program_gyro_noise_response};
+    sizeof(struct mip_filter_gyro_noise_response) >= 8,
+    program_gyro_noise_response,
+    NULL};
 
 static const uint8_t program_accel_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -545,7 +592,9 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     0,
     sizeof(struct mip_filter_accel_bias_model),
     0,
-    program_accel_bias_model};
+    false,
+    program_accel_bias_model,
+    &mip_program};
 
 static bool asked_accel_bias_model_1(const void *value) {
     const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
@@ -572,7 +621,9 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_accel_bias_model_response),
     0,
-    program_accel_bias_model_response};
+    sizeof(struct mip_filter_accel_bias_model_response) >= 8,
+    program_accel_bias_model_response,
+    NULL};
 
 static const uint8_t program_gyro_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -590,7 +641,9 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
     0,
     sizeof(struct mip_filter_gyro_bias_model),
     0,
-    program_gyro_bias_model};
+    false,
+    program_gyro_bias_model,
+    &mip_program};
 
 static bool asked_gyro_bias_model_1(const void *value) {
     const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
@@ -617,7 +670,9 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_gyro_bias_model_response),
     0,
-    program_gyro_bias_model_response};
+    sizeof(struct mip_filter_gyro_bias_model_response) >= 8,
+    program_gyro_bias_model_response,
+    NULL};
 
 static const uint8_t program_auto_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -629,7 +684,8 @@ static const uint8_t program_auto_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E, MIP_COMMAND, 0, sizeof(struct mip_filter_auto_zupt), 0, program_auto_zupt};
+    0x0D, 0x1E,  MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
+    0,    false, program_auto_zupt, &mip_program};
 
 static bool asked_auto_zupt_1(const void *value) {
     const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
@@ -657,7 +713,9 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_zupt_response),
     0,
-    program_auto_zupt_response};
+    false,
+    program_auto_zupt_response,
+    NULL};
 
 static const uint8_t program_external_heading_update_with_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_heading_update_with_time, tow)),
@@ -674,7 +732,9 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     19,
     sizeof(struct mip_filter_external_heading_update_with_time),
     0,
-    program_external_heading_update_with_time};
+    false,
+    program_external_heading_update_with_time,
+    NULL};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
     &mip_filter_external_heading_update_with_time_codec, NULL, NULL, 0};
@@ -695,7 +755,9 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_auto_angular_zupt),
     0,
-    program_auto_angular_zupt};
+    false,
+    program_auto_angular_zupt,
+    &mip_program};
 
 static bool asked_auto_angular_zupt_1(const void *value) {
     const struct mip_filter_auto_angular_zupt *v =
@@ -724,7 +786,9 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_angular_zupt_response),
     0,
-    program_auto_angular_zupt_response};
+    false,
+    program_auto_angular_zupt_response,
+    NULL};
 
 static const uint8_t program_tare_orientation[] = {
     MIP_REQUIRED(1, 1),
@@ -740,7 +804,9 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     0,
     sizeof(struct mip_filter_tare_orientation),
     0,
-    program_tare_orientation};
+    false,
+    program_tare_orientation,
+    &mip_program};
 
 static bool asked_tare_orientation_1(const void *value) {
     const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
@@ -767,7 +833,9 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     1,
     sizeof(struct mip_filter_tare_orientation_response),
     0,
-    program_tare_orientation_response};
+    sizeof(struct mip_filter_tare_orientation_response) >= 8,
+    program_tare_orientation_response,
+    NULL};
 
 static const uint8_t program_commanded_zupt[] = {
     MIP_END,
@@ -779,7 +847,9 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_commanded_zupt),
                                                           0,
-                                                          program_commanded_zupt};
+                                                          false,
+                                                          program_commanded_zupt,
+                                                          NULL};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
                                                               NULL, NULL, 0};
@@ -795,7 +865,9 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_commanded_angular_zupt),
     0,
-    program_commanded_angular_zupt};
+    false,
+    program_commanded_angular_zupt,
+    NULL};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
     &mip_filter_commanded_angular_zupt_codec, NULL, NULL, 0};
@@ -820,7 +892,9 @@ const struct mip_codec mip_filter_reference_position_codec = {
     0,
     sizeof(struct mip_filter_reference_position),
     0,
-    program_reference_position};
+    false,
+    program_reference_position,
+    &mip_program};
 
 static bool asked_reference_position_1(const void *value) {
     const struct mip_filter_reference_position *v =
@@ -849,7 +923,9 @@ const struct mip_codec mip_filter_reference_position_response_codec = {
     25,
     sizeof(struct mip_filter_reference_position_response),
     0,
-    program_reference_position_response};
+    false,
+    program_reference_position_response,
+    NULL};
 
 static const uint8_t program_mag_capture_auto_calibration[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_capture_auto_calibration, function)),
@@ -863,7 +939,9 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     1,
     sizeof(struct mip_filter_mag_capture_auto_calibration),
     0,
-    program_mag_capture_auto_calibration};
+    sizeof(struct mip_filter_mag_capture_auto_calibration) >= 8,
+    program_mag_capture_auto_calibration,
+    NULL};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
     &mip_filter_mag_capture_auto_calibration_codec, NULL, NULL, 0};
@@ -876,7 +954,8 @@ static const uint8_t program_gravity_noise[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28, MIP_COMMAND, 0, sizeof(struct mip_filter_gravity_noise), 0, program_gravity_noise};
+    0x0D, 0x28,  MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
+    0,    false, program_gravity_noise, &mip_program};
 
 static bool asked_gravity_noise_1(const void *value) {
     const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
@@ -903,7 +982,9 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gravity_noise_response),
     0,
-    program_gravity_noise_response};
+    sizeof(struct mip_filter_gravity_noise_response) >= 8,
+    program_gravity_noise_response,
+    NULL};
 
 static const uint8_t program_pressure_altitude_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -919,7 +1000,9 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     0,
     sizeof(struct mip_filter_pressure_altitude_noise),
     0,
-    program_pressure_altitude_noise};
+    false,
+    program_pressure_altitude_noise,
+    &mip_program};
 
 static bool asked_pressure_altitude_noise_1(const void *value) {
     const struct mip_filter_pressure_altitude_noise *v =
@@ -947,7 +1030,9 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     4,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
     0,
-    program_pressure_altitude_noise_response};
+    sizeof(struct mip_filter_pressure_altitude_noise_response) >= 8,
+    program_pressure_altitude_noise_response,
+    NULL};
 
 static const uint8_t program_hard_iron_offset_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -963,7 +1048,9 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     0,
     sizeof(struct mip_filter_hard_iron_offset_noise),
     0,
-    program_hard_iron_offset_noise};
+    false,
+    program_hard_iron_offset_noise,
+    &mip_program};
 
 static bool asked_hard_iron_offset_noise_1(const void *value) {
     const struct mip_filter_hard_iron_offset_noise *v =
@@ -991,7 +1078,9 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     12,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
     0,
-    program_hard_iron_offset_noise_response};
+    sizeof(struct mip_filter_hard_iron_offset_noise_response) >= 8,
+    program_hard_iron_offset_noise_response,
+    NULL};
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1007,7 +1096,9 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     0,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
     0,
-    program_soft_iron_matrix_noise};
+    false,
+    program_soft_iron_matrix_noise,
+    &mip_program};
 
 static bool asked_soft_iron_matrix_noise_1(const void *value) {
     const struct mip_filter_soft_iron_matrix_noise *v =
@@ -1035,7 +1126,9 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     36,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
     0,
-    program_soft_iron_matrix_noise_response};
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response) >= 8,
+    program_soft_iron_matrix_noise_response,
+    NULL};
 
 static const uint8_t program_enable_measurements[] = {
     MIP_REQUIRED(1, 1),
@@ -1051,7 +1144,9 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     0,
     sizeof(struct mip_filter_enable_measurements),
     0,
-    program_enable_measurements};
+    false,
+    program_enable_measurements,
+    &mip_program};
 
 static bool asked_enable_measurements_1(const void *value) {
     const struct mip_filter_enable_measurements *v =
@@ -1079,7 +1174,9 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     2,
     sizeof(struct mip_filter_enable_measurements_response),
     0,
-    program_enable_measurements_response};
+    sizeof(struct mip_filter_enable_measurements_response) >= 8,
+    program_enable_measurements_response,
+    NULL};
 
 static const uint8_t program_mag_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1089,7 +1186,8 @@ static const uint8_t program_mag_noise[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42, MIP_COMMAND, 0, sizeof(struct mip_filter_mag_noise), 0, program_mag_noise};
+    0x0D, 0x42,  MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
+    0,    false, program_mag_noise, &mip_program};
 
 static bool asked_mag_noise_1(const void *value) {
     const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
@@ -1116,7 +1214,9 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     12,
     sizeof(struct mip_filter_mag_noise_response),
     0,
-    program_mag_noise_response};
+    sizeof(struct mip_filter_mag_noise_response) >= 8,
+    program_mag_noise_response,
+    NULL};
 
 static const uint8_t program_magnetic_declination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1134,7 +1234,9 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_declination_source),
     0,
-    program_magnetic_declination_source};
+    false,
+    program_magnetic_declination_source,
+    &mip_program};
 
 static bool asked_magnetic_declination_source_1(const void *value) {
     const struct mip_filter_magnetic_declination_source *v =
@@ -1163,7 +1265,9 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_declination_source_response),
     0,
-    program_magnetic_declination_source_response};
+    false,
+    program_magnetic_declination_source_response,
+    NULL};
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 1),
@@ -1191,7 +1295,9 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_accel_magnitude_adaptive),
     0,
-    program_accel_magnitude_adaptive};
+    false,
+    program_accel_magnitude_adaptive,
+    &mip_program};
 
 static bool asked_accel_magnitude_adaptive_1(const void *value) {
     const struct mip_filter_accel_magnitude_adaptive *v =
@@ -1221,7 +1327,9 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_accel_magnitude_adaptive_response),
     0,
-    program_accel_magnitude_adaptive_response};
+    false,
+    program_accel_magnitude_adaptive_response,
+    NULL};
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 7),
@@ -1249,7 +1357,9 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_magnitude_adaptive),
     0,
-    program_mag_magnitude_adaptive};
+    false,
+    program_mag_magnitude_adaptive,
+    &mip_program};
 
 static bool asked_mag_magnitude_adaptive_1(const void *value) {
     const struct mip_filter_mag_magnitude_adaptive *v =
@@ -1278,7 +1388,9 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_mag_magnitude_adaptive_response),
     0,
-    program_mag_magnitude_adaptive_response};
+    false,
+    program_mag_magnitude_adaptive_response,
+    NULL};
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
     MIP_REQUIRED(1, 5),
@@ -1302,7 +1414,9 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_dip_angle_adaptive),
     0,
-    program_mag_dip_angle_adaptive};
+    false,
+    program_mag_dip_angle_adaptive,
+    &mip_program};
 
 static bool asked_mag_dip_angle_adaptive_1(const void *value) {
     const struct mip_filter_mag_dip_angle_adaptive *v =
@@ -1331,7 +1445,9 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     17,
     sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
     0,
-    program_mag_dip_angle_adaptive_response};
+    false,
+    program_mag_dip_angle_adaptive_response,
+    NULL};
 
 static const uint8_t program_altitude_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1347,7 +1463,9 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     0,
     sizeof(struct mip_filter_altitude_aiding),
     0,
-    program_altitude_aiding};
+    false,
+    program_altitude_aiding,
+    &mip_program};
 
 static bool asked_altitude_aiding_1(const void *value) {
     const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
@@ -1374,7 +1492,9 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_altitude_aiding_response),
     0,
-    program_altitude_aiding_response};
+    sizeof(struct mip_filter_altitude_aiding_response) >= 8,
+    program_altitude_aiding_response,
+    NULL};
 
 static const uint8_t program_pitch_roll_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1390,7 +1510,9 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     0,
     sizeof(struct mip_filter_pitch_roll_aiding),
     0,
-    program_pitch_roll_aiding};
+    false,
+    program_pitch_roll_aiding,
+    &mip_program};
 
 static bool asked_pitch_roll_aiding_1(const void *value) {
     const struct mip_filter_pitch_roll_aiding *v =
@@ -1418,7 +1540,9 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_pitch_roll_aiding_response),
     0,
-    program_pitch_roll_aiding_response};
+    sizeof(struct mip_filter_pitch_roll_aiding_response) >= 8,
+    program_pitch_roll_aiding_response,
+    NULL};
 
 static const uint8_t program_magnetic_inclination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1436,7 +1560,9 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_inclination_source),
     0,
-    program_magnetic_inclination_source};
+    false,
+    program_magnetic_inclination_source,
+    &mip_program};
 
 static bool asked_magnetic_inclination_source_1(const void *value) {
     const struct mip_filter_magnetic_inclination_source *v =
@@ -1465,7 +1591,9 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_inclination_source_response),
     0,
-    program_magnetic_inclination_source_response};
+    false,
+    program_magnetic_inclination_source_response,
+    NULL};
 
 static const uint8_t program_magnetic_magnitude_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1483,7 +1611,9 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_magnitude_source),
     0,
-    program_magnetic_magnitude_source};
+    false,
+    program_magnetic_magnitude_source,
+    &mip_program};
 
 static bool asked_magnetic_magnitude_source_1(const void *value) {
     const struct mip_filter_magnetic_magnitude_source *v =
@@ -1512,7 +1642,9 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
     0,
-    program_magnetic_magnitude_source_response};
+    false,
+    program_magnetic_magnitude_source_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1528,7 +1660,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm),
     0,
-    program_sensor_to_vehicle_dcm};
+    false,
+    program_sensor_to_vehicle_dcm,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
     const struct mip_filter_sensor_to_vehicle_dcm *v =
@@ -1556,7 +1690,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
     36,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
     0,
-    program_sensor_to_vehicle_dcm_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response) >= 8,
+    program_sensor_to_vehicle_dcm_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1572,7 +1708,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
     0,
-    program_sensor_to_vehicle_quaternion};
+    false,
+    program_sensor_to_vehicle_quaternion,
+    &mip_program};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
     const struct mip_filter_sensor_to_vehicle_quaternion *v =
@@ -1601,7 +1739,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = 
     16,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
     0,
-    program_sensor_to_vehicle_quaternion_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response) >= 8,
+    program_sensor_to_vehicle_quaternion_response,
+    NULL};
 
 static const uint8_t program_aiding_measurement_enable[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1619,7 +1759,9 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     0,
     sizeof(struct mip_filter_aiding_measurement_enable),
     0,
-    program_aiding_measurement_enable};
+    false,
+    program_aiding_measurement_enable,
+    &mip_program};
 
 static bool asked_aiding_measurement_enable_1(const void *value) {
     const struct mip_filter_aiding_measurement_enable *v =
@@ -1648,7 +1790,9 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     3,
     sizeof(struct mip_filter_aiding_measurement_enable_response),
     0,
-    program_aiding_measurement_enable_response};
+    sizeof(struct mip_filter_aiding_measurement_enable_response) >= 8,
+    program_aiding_measurement_enable_response,
+    NULL};
 
 static const uint8_t program_kinematic_constraint[] = {
     MIP_REQUIRED(1, 3),
@@ -1668,7 +1812,9 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     0,
     sizeof(struct mip_filter_kinematic_constraint),
     0,
-    program_kinematic_constraint};
+    false,
+    program_kinematic_constraint,
+    &mip_program};
 
 static bool asked_kinematic_constraint_1(const void *value) {
     const struct mip_filter_kinematic_constraint *v =
@@ -1696,7 +1842,9 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     3,
     sizeof(struct mip_filter_kinematic_constraint_response),
     0,
-    program_kinematic_constraint_response};
+    sizeof(struct mip_filter_kinematic_constraint_response) >= 8,
+    program_kinematic_constraint_response,
+    NULL};
 
 static const uint8_t program_initialization_config[] = {
     MIP_REQUIRED(1, 9),
@@ -1728,7 +1876,9 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     0,
     sizeof(struct mip_filter_initialization_config),
     0,
-    program_initialization_config};
+    false,
+    program_initialization_config,
+    &mip_program};
 
 static bool asked_initialization_config_1(const void *value) {
     const struct mip_filter_initialization_config *v =
@@ -1759,7 +1909,9 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     40,
     sizeof(struct mip_filter_initialization_config_response),
     0,
-    program_initialization_config_response};
+    false,
+    program_initialization_config_response,
+    NULL};
 
 static const uint8_t program_adaptive_filter_options[] = {
     MIP_REQUIRED(1, 2),
@@ -1777,7 +1929,9 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     0,
     sizeof(struct mip_filter_adaptive_filter_options),
     0,
-    program_adaptive_filter_options};
+    false,
+    program_adaptive_filter_options,
+    &mip_program};
 
 static bool asked_adaptive_filter_options_1(const void *value) {
     const struct mip_filter_adaptive_filter_options *v =
@@ -1806,7 +1960,9 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     3,
     sizeof(struct mip_filter_adaptive_filter_options_response),
     0,
-    program_adaptive_filter_options_response};
+    false,
+    program_adaptive_filter_options_response,
+    NULL};
 
 static const uint8_t program_multi_antenna_offset[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1824,7 +1980,9 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     0,
     sizeof(struct mip_filter_multi_antenna_offset),
     0,
-    program_multi_antenna_offset};
+    false,
+    program_multi_antenna_offset,
+    &mip_program};
 
 static bool asked_multi_antenna_offset_1(const void *value) {
     const struct mip_filter_multi_antenna_offset *v =
@@ -1853,7 +2011,9 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     13,
     sizeof(struct mip_filter_multi_antenna_offset_response),
     0,
-    program_multi_antenna_offset_response};
+    false,
+    program_multi_antenna_offset_response,
+    NULL};
 
 static const uint8_t program_relative_position_config[] = {
     MIP_REQUIRED(1, 3),
@@ -1873,7 +2033,9 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     0,
     sizeof(struct mip_filter_relative_position_config),
     0,
-    program_relative_position_config};
+    false,
+    program_relative_position_config,
+    &mip_program};
 
 static bool asked_relative_position_config_1(const void *value) {
     const struct mip_filter_relative_position_config *v =
@@ -1903,7 +2065,9 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     26,
     sizeof(struct mip_filter_relative_position_config_response),
     0,
-    program_relative_position_config_response};
+    false,
+    program_relative_position_config_response,
+    NULL};
 
 static const uint8_t program_reference_point_lever_arm[] = {
     MIP_REQUIRED(1, 2),
@@ -1921,7 +2085,9 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_reference_point_lever_arm),
     0,
-    program_reference_point_lever_arm};
+    false,
+    program_reference_point_lever_arm,
+    &mip_program};
 
 static bool asked_reference_point_lever_arm_1(const void *value) {
     const struct mip_filter_reference_point_lever_arm *v =
@@ -1950,7 +2116,9 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
     0,
-    program_reference_point_lever_arm_response};
+    false,
+    program_reference_point_lever_arm_response,
+    NULL};
 
 static const uint8_t program_speed_measurement[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_measurement, source)),
@@ -1965,7 +2133,9 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     13,
     sizeof(struct mip_filter_speed_measurement),
     0,
-    program_speed_measurement};
+    false,
+    program_speed_measurement,
+    NULL};
 
 const struct mip_command mip_filter_speed_measurement_command = {
     &mip_filter_speed_measurement_codec, NULL, NULL, 0};
@@ -1986,7 +2156,9 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_speed_lever_arm),
     0,
-    program_speed_lever_arm};
+    false,
+    program_speed_lever_arm,
+    &mip_program};
 
 static bool asked_speed_lever_arm_1(const void *value) {
     const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
@@ -2014,7 +2186,9 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_speed_lever_arm_response),
     0,
-    program_speed_lever_arm_response};
+    false,
+    program_speed_lever_arm_response,
+    NULL};
 
 static const uint8_t program_vertical_gyro_constraint[] = {
     MIP_REQUIRED(1, 1),
@@ -2030,7 +2204,9 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
     0,
     sizeof(struct mip_filter_vertical_gyro_constraint),
     0,
-    program_vertical_gyro_constraint};
+    false,
+    program_vertical_gyro_constraint,
+    &mip_program};
 
 static bool asked_vertical_gyro_constraint_1(const void *value) {
     const struct mip_filter_vertical_gyro_constraint *v =
@@ -2058,7 +2234,9 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
     1,
     sizeof(struct mip_filter_vertical_gyro_constraint_response),
     0,
-    program_vertical_gyro_constraint_response};
+    sizeof(struct mip_filter_vertical_gyro_constraint_response) >= 8,
+    program_vertical_gyro_constraint_response,
+    NULL};
 
 static const uint8_t program_wheeled_vehicle_constraint[] = {
     MIP_REQUIRED(1, 1),
@@ -2074,7 +2252,9 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
     0,
     sizeof(struct mip_filter_wheeled_vehicle_constraint),
     0,
-    program_wheeled_vehicle_constraint};
+    false,
+    program_wheeled_vehicle_constraint,
+    &mip_program};
 
 static bool asked_wheeled_vehicle_constraint_1(const void *value) {
     const struct mip_filter_wheeled_vehicle_constraint *v =
@@ -2102,7 +2282,9 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
     1,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
     0,
-    program_wheeled_vehicle_constraint_response};
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_response) >= 8,
+    program_wheeled_vehicle_constraint_response,
+    NULL};
 
 static const uint8_t program_gnss_antenna_calibration[] = {
     MIP_REQUIRED(1, 2),
@@ -2120,7 +2302,9 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
     0,
     sizeof(struct mip_filter_gnss_antenna_calibration),
     0,
-    program_gnss_antenna_calibration};
+    false,
+    program_gnss_antenna_calibration,
+    &mip_program};
 
 static bool asked_gnss_antenna_calibration_1(const void *value) {
     const struct mip_filter_gnss_antenna_calibration *v =
@@ -2149,4 +2333,6 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
     5,
     sizeof(struct mip_filter_gnss_antenna_calibration_response),
     0,
-    program_gnss_antenna_calibration_response};
+    false,
+    program_gnss_antenna_calibration_response,
+    NULL};

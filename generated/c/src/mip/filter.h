@@ -357,7 +357,7 @@ extern MIP_API const struct mip_codec mip_filter_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_filter_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reset_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -401,7 +401,8 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_decode(
     struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_attitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_attitude_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -490,7 +491,8 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_heading_decode(
     struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_heading_codec, 0x03, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -569,7 +571,8 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
     struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_attitude_from_imu_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_attitude_from_imu_codec, 0x04, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -646,7 +649,7 @@ extern MIP_API const struct mip_codec mip_filter_run_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_filter_run_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_run_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -695,7 +698,8 @@ extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
     struct mip_filter_vehicle_dynamics_mode *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vehicle_dynamics_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_codec, 0x10, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -772,7 +776,8 @@ extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
     struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vehicle_dynamics_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_response_codec, 0x80, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -858,7 +863,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
     struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_euler_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_codec, 0x11, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -943,7 +949,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
     struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_response_codec, 0x81, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1026,7 +1033,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
     struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_codec, 0x12, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1105,7 +1113,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
     struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1187,7 +1196,7 @@ extern MIP_API const struct mip_codec mip_filter_antenna_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_antenna_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_antenna_offset_codec, 0x13, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1266,7 +1275,8 @@ extern MIP_API const struct mip_codec mip_filter_antenna_offset_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_response_decode(
     struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_antenna_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_antenna_offset_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1349,7 +1359,8 @@ extern MIP_API const struct mip_codec mip_filter_estimation_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_decode(
     struct mip_filter_estimation_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_estimation_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_estimation_control_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1430,7 +1441,8 @@ extern MIP_API const struct mip_codec mip_filter_estimation_control_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_response_decode(
     struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_estimation_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_estimation_control_response_codec, 0x84, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1507,7 +1519,7 @@ extern MIP_API const struct mip_codec mip_filter_gnss_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_source_codec, 0x15, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1583,7 +1595,8 @@ extern MIP_API const struct mip_codec mip_filter_gnss_source_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_response_decode(
     struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_source_response_codec, 0x86, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1666,7 +1679,8 @@ extern MIP_API const struct mip_codec mip_filter_external_gnss_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_gnss_update_decode(
     struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_gnss_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_gnss_update_codec, 0x16, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1805,7 +1819,8 @@ extern MIP_API const struct mip_codec mip_filter_external_heading_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_decode(
     struct mip_filter_external_heading_update *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_heading_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_heading_update_codec, 0x17, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1907,7 +1922,7 @@ extern MIP_API const struct mip_codec mip_filter_heading_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_heading_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_heading_source_codec, 0x18, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1989,7 +2004,8 @@ extern MIP_API const struct mip_codec mip_filter_heading_source_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_response_decode(
     struct mip_filter_heading_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_heading_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_heading_source_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2061,7 +2077,8 @@ extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_decode(
     struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_initialization_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_initialization_control_codec, 0x19, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2142,7 +2159,8 @@ extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_response_decode(
     struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_initialization_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_initialization_control_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2220,7 +2238,7 @@ extern MIP_API const struct mip_codec mip_filter_accel_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_noise_codec, 0x1A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2296,7 +2314,8 @@ extern MIP_API const struct mip_codec mip_filter_accel_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_response_decode(
     struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_noise_response_codec, 0x89, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2376,7 +2395,7 @@ extern MIP_API const struct mip_codec mip_filter_gyro_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_noise_codec, 0x1B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2452,7 +2471,8 @@ extern MIP_API const struct mip_codec mip_filter_gyro_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_response_decode(
     struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_noise_response_codec, 0x8A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2534,7 +2554,7 @@ extern MIP_API const struct mip_codec mip_filter_accel_bias_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_decode(
     struct mip_filter_accel_bias_model *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_bias_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_bias_model_codec, 0x1C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2617,7 +2637,8 @@ extern MIP_API const struct mip_codec mip_filter_accel_bias_model_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_response_decode(
     struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_bias_model_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_bias_model_response_codec, 0x8B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2706,7 +2727,7 @@ extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_bias_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_bias_model_codec, 0x1D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2790,7 +2811,8 @@ extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_response_decode(
     struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_bias_model_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_bias_model_response_codec, 0x8C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2874,7 +2896,7 @@ extern MIP_API const struct mip_codec mip_filter_auto_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_zupt_codec, 0x1E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2954,7 +2976,8 @@ extern MIP_API const struct mip_codec mip_filter_auto_zupt_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_response_decode(
     struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_zupt_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_zupt_response_codec, 0x8D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3044,7 +3067,8 @@ extern MIP_API const struct mip_codec mip_filter_external_heading_update_with_ti
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_with_time_decode(
     struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_heading_update_with_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_heading_update_with_time_codec, 0x1F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3154,7 +3178,7 @@ extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_decode(
     struct mip_filter_auto_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_angular_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_angular_zupt_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3235,7 +3259,8 @@ extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_response_decode(
     struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_angular_zupt_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_angular_zupt_response_codec, 0x8E, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3311,7 +3336,7 @@ extern MIP_API const struct mip_codec mip_filter_tare_orientation_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_decode(
     struct mip_filter_tare_orientation *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_tare_orientation_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_tare_orientation_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3388,7 +3413,8 @@ extern MIP_API const struct mip_codec mip_filter_tare_orientation_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_response_decode(
     struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_tare_orientation_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_tare_orientation_response_codec, 0xA1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3452,7 +3478,7 @@ extern MIP_API const struct mip_codec mip_filter_commanded_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_commanded_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_commanded_zupt_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3490,7 +3516,8 @@ extern MIP_API const struct mip_codec mip_filter_commanded_angular_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_angular_zupt_decode(
     struct mip_filter_commanded_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_commanded_angular_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_commanded_angular_zupt_codec, 0x23, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3546,7 +3573,8 @@ extern MIP_API const struct mip_codec mip_filter_reference_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_decode(
     struct mip_filter_reference_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_position_codec, 0x26, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3642,7 +3670,8 @@ extern MIP_API const struct mip_codec mip_filter_reference_position_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_response_decode(
     struct mip_filter_reference_position_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_position_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_position_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3716,7 +3745,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_capture_auto_calibration_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
     struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_capture_auto_calibration_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_capture_auto_calibration_codec, 0x27, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3808,7 +3838,7 @@ extern MIP_API const struct mip_codec mip_filter_gravity_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_filter_gravity_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gravity_noise_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3884,7 +3914,8 @@ extern MIP_API const struct mip_codec mip_filter_gravity_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_response_decode(
     struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gravity_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gravity_noise_response_codec, 0x93, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3962,7 +3993,8 @@ extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_decode(
     struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pressure_altitude_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pressure_altitude_noise_codec, 0x29, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4037,7 +4069,8 @@ extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
     struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pressure_altitude_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pressure_altitude_noise_response_codec, 0x94, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4111,7 +4144,8 @@ extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_decode(
     struct mip_filter_hard_iron_offset_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_hard_iron_offset_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_hard_iron_offset_noise_codec, 0x2B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4187,7 +4221,8 @@ extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
     struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_hard_iron_offset_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_hard_iron_offset_noise_response_codec, 0x96, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4265,7 +4300,8 @@ extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
     struct mip_filter_soft_iron_matrix_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_soft_iron_matrix_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4344,7 +4380,8 @@ extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
     struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_soft_iron_matrix_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_response_codec, 0x97, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4421,7 +4458,8 @@ extern MIP_API const struct mip_codec mip_filter_enable_measurements_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_decode(
     struct mip_filter_enable_measurements *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_enable_measurements_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_enable_measurements_codec, 0x41, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4496,7 +4534,8 @@ extern MIP_API const struct mip_codec mip_filter_enable_measurements_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_response_decode(
     struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_enable_measurements_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_enable_measurements_response_codec, 0xB0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4570,7 +4609,7 @@ extern MIP_API const struct mip_codec mip_filter_mag_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_noise_codec, 0x42, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4645,7 +4684,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_response_decode(
     struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_noise_response_codec, 0xB1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4734,7 +4774,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_decode(
     struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_declination_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_declination_source_codec, 0x43, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4830,7 +4871,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_response_decode(
     struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_declination_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_declination_source_response_codec, 0xB2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4946,7 +4988,8 @@ extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
     struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_codec, 0x44, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5040,7 +5083,8 @@ extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
     struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_response_codec, 0xB3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5166,7 +5210,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
     struct mip_filter_mag_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_codec, 0x45, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5300,7 +5345,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
     struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_response_codec, 0xB4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5408,7 +5454,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
     struct mip_filter_mag_dip_angle_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_codec, 0x46, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5515,7 +5562,8 @@ extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
     struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_response_codec, 0xB5, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5599,7 +5647,7 @@ extern MIP_API const struct mip_codec mip_filter_altitude_aiding_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_altitude_aiding_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_altitude_aiding_codec, 0x47, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5675,7 +5723,8 @@ extern MIP_API const struct mip_codec mip_filter_altitude_aiding_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_response_decode(
     struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_altitude_aiding_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_altitude_aiding_response_codec, 0xB7, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5748,7 +5797,7 @@ extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_decode(
     struct mip_filter_pitch_roll_aiding *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pitch_roll_aiding_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pitch_roll_aiding_codec, 0x4B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5823,7 +5872,8 @@ extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
     struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pitch_roll_aiding_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pitch_roll_aiding_response_codec, 0xBB, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5905,7 +5955,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_decode(
     struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_inclination_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_inclination_source_codec, 0x4C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -5998,7 +6049,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
     struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_inclination_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_inclination_source_response_codec, 0xBC, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6085,7 +6137,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_decode(
     struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_magnitude_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_magnitude_source_codec, 0x4D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6174,7 +6227,8 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
     struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_magnitude_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_magnitude_source_response_codec, 0xBD, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6264,7 +6318,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
     struct mip_filter_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_codec, 0x4E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6345,7 +6400,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
     struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_response_codec, 0xBE, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6433,7 +6489,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
     struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_codec, 0x4F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6519,7 +6576,8 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
     struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_response_codec, 0xBF, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6602,7 +6660,8 @@ extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_decode(
     struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_aiding_measurement_enable_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_aiding_measurement_enable_codec, 0x50, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6721,7 +6780,8 @@ extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
     struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_aiding_measurement_enable_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_aiding_measurement_enable_response_codec, 0xD0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6810,7 +6870,8 @@ extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_decode(
     struct mip_filter_kinematic_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_kinematic_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_kinematic_constraint_codec, 0x51, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -6908,7 +6969,8 @@ extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_response_decode(
     struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_kinematic_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_kinematic_constraint_response_codec, 0xD1, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7025,7 +7087,8 @@ extern MIP_API const struct mip_codec mip_filter_initialization_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_decode(
     struct mip_filter_initialization_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_initialization_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_initialization_config_codec, 0x52, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7162,7 +7225,8 @@ extern MIP_API const struct mip_codec mip_filter_initialization_config_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_response_decode(
     struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_initialization_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_initialization_config_response_codec, 0xD2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7265,7 +7329,8 @@ extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_decode(
     struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_adaptive_filter_options_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_adaptive_filter_options_codec, 0x53, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7347,7 +7412,8 @@ extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_response_decode(
     struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_adaptive_filter_options_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_adaptive_filter_options_response_codec, 0xD3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7424,7 +7490,8 @@ extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_decode(
     struct mip_filter_multi_antenna_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_multi_antenna_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_multi_antenna_offset_codec, 0x54, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7527,7 +7594,8 @@ extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_response_decode(
     struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_multi_antenna_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_multi_antenna_offset_response_codec, 0xD4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7615,7 +7683,8 @@ extern MIP_API const struct mip_codec mip_filter_relative_position_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_decode(
     struct mip_filter_relative_position_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_relative_position_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_relative_position_config_codec, 0x55, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7712,7 +7781,8 @@ extern MIP_API const struct mip_codec mip_filter_relative_position_config_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_response_decode(
     struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_relative_position_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_relative_position_config_response_codec, 0xD5, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7802,7 +7872,8 @@ extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_decode(
     struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_point_lever_arm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_point_lever_arm_codec, 0x56, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7889,7 +7960,8 @@ extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
     struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_point_lever_arm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_point_lever_arm_response_codec, 0xD6, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -7970,7 +8042,7 @@ extern MIP_API const struct mip_codec mip_filter_speed_measurement_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_measurement_decode(
     struct mip_filter_speed_measurement *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_measurement_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_measurement_codec, 0x60, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8069,7 +8141,7 @@ extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_lever_arm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_lever_arm_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8151,7 +8223,8 @@ extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_response_decode(
     struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_lever_arm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_lever_arm_response_codec, 0xE1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8232,7 +8305,8 @@ extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_decode(
     struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8309,7 +8383,8 @@ extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_response_decode(
     struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_response_codec, 0xE2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8384,7 +8459,8 @@ extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
     struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_codec, 0x63, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8463,7 +8539,8 @@ extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
     struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_response_codec, 0xE3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8544,7 +8621,8 @@ extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_decode(
     struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_codec, 0x64, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -8628,7 +8706,8 @@ extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_response_decode(
     struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_response_codec, 0xE4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -401,7 +401,7 @@ extern MIP_API const struct mip_codec mip_filter_data_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_decode(
     struct mip_filter_data_llh_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_llh_position_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -484,7 +484,7 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_decode(
     struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_velocity_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -560,7 +560,8 @@ extern MIP_API const struct mip_codec mip_filter_data_attitude_quaternion_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_quaternion_decode(
     struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_attitude_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_attitude_quaternion_codec, 0x03, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -636,7 +637,7 @@ extern MIP_API const struct mip_codec mip_filter_data_attitude_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_dcm_decode(
     struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_attitude_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_attitude_dcm_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -721,7 +722,7 @@ extern MIP_API const struct mip_codec mip_filter_data_euler_angles_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_decode(
     struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_euler_angles_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_euler_angles_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -795,7 +796,7 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -868,7 +869,7 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_bias_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -951,7 +952,8 @@ extern MIP_API const struct mip_codec mip_filter_data_llh_position_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
     struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_llh_position_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_llh_position_uncertainty_codec, 0x08, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1034,7 +1036,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
     struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_velocity_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_velocity_uncertainty_codec, 0x09, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1121,7 +1124,8 @@ extern MIP_API const struct mip_codec mip_filter_data_euler_angles_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
     struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_euler_angles_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_euler_angles_uncertainty_codec, 0x0A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1195,7 +1199,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_uncertainty_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
     struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_bias_uncertainty_codec, 0x0B, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1268,7 +1273,8 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_bias_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
     struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_bias_uncertainty_codec, 0x0C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1342,7 +1348,7 @@ extern MIP_API const struct mip_codec mip_filter_data_linear_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_linear_accel_decode(
     struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_linear_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_linear_accel_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1416,7 +1422,8 @@ extern MIP_API const struct mip_codec mip_filter_data_comp_angular_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_angular_rate_decode(
     struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_comp_angular_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_comp_angular_rate_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1491,7 +1498,8 @@ extern MIP_API const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
     struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_wgs84_gravity_magnitude_codec, 0x0F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1578,7 +1586,7 @@ extern MIP_API const struct mip_codec mip_filter_data_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_status_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1660,7 +1668,7 @@ extern MIP_API const struct mip_codec mip_filter_data_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_timestamp_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1733,7 +1741,8 @@ extern MIP_API const struct mip_codec mip_filter_data_quaternion_attitude_uncert
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
     struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_quaternion_attitude_uncertainty_codec, 0x12, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1809,7 +1818,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gravity_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gravity_vector_decode(
     struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gravity_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gravity_vector_codec, 0x13, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1894,7 +1904,8 @@ extern MIP_API const struct mip_codec mip_filter_data_heading_update_state_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_update_state_decode(
     struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_heading_update_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_heading_update_state_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1983,7 +1994,8 @@ extern MIP_API const struct mip_codec mip_filter_data_magnetic_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_magnetic_model_decode(
     struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_magnetic_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_magnetic_model_codec, 0x15, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2060,7 +2072,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_decode(
     struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_scale_factor_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_scale_factor_codec, 0x16, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2133,7 +2146,8 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_decode(
     struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_scale_factor_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_scale_factor_codec, 0x17, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2207,7 +2221,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_uncertai
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
     struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_scale_factor_uncertainty_codec, 0x18, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2283,7 +2298,8 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_uncerta
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
     struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_scale_factor_uncertainty_codec, 0x19, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2358,7 +2374,7 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_bias_codec, 0x1A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2431,7 +2447,8 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
     struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_bias_uncertainty_codec, 0x1B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2505,7 +2522,7 @@ extern MIP_API const struct mip_codec mip_filter_data_comp_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_comp_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_comp_accel_codec, 0x1C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2593,7 +2610,8 @@ extern MIP_API const struct mip_codec mip_filter_data_standard_atmosphere_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_standard_atmosphere_decode(
     struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_standard_atmosphere_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_standard_atmosphere_codec, 0x20, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2673,7 +2691,8 @@ extern MIP_API const struct mip_codec mip_filter_data_pressure_altitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_pressure_altitude_decode(
     struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_pressure_altitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_pressure_altitude_codec, 0x21, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2740,7 +2759,8 @@ extern MIP_API const struct mip_codec mip_filter_data_density_altitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_density_altitude_decode(
     struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_density_altitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_density_altitude_codec, 0x22, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2812,7 +2832,7 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_offset_codec, 0x25, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2888,7 +2908,7 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_matrix_codec, 0x26, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2962,7 +2982,8 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_offset_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
     struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_offset_uncertainty_codec, 0x28, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3036,7 +3057,8 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
     struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_matrix_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_matrix_uncertainty_codec, 0x29, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3111,7 +3133,8 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_covariance_matrix_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
     struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_covariance_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_covariance_matrix_codec, 0x2A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3185,7 +3208,8 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_residual_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_residual_vector_decode(
     struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_residual_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_residual_vector_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3260,7 +3284,8 @@ extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_correction_decode(
     struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_antenna_offset_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_antenna_offset_correction_codec, 0x30, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3336,7 +3361,8 @@ extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_uncertainty
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode(
     struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_antenna_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_antenna_offset_uncertainty_codec, 0x31, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3415,7 +3441,8 @@ extern MIP_API const struct mip_codec mip_filter_data_clock_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_decode(
     struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_clock_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_clock_correction_codec, 0x32, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3495,7 +3522,8 @@ extern MIP_API const struct mip_codec mip_filter_data_clock_correction_uncertain
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
     struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_clock_correction_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_clock_correction_uncertainty_codec, 0x33, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3573,7 +3601,8 @@ extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_corre
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
     struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_multi_antenna_offset_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_multi_antenna_offset_correction_codec, 0x34, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3655,7 +3684,8 @@ extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_uncer
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
     struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_multi_antenna_offset_uncertainty_codec, 0x35, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3732,7 +3762,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_position_uncertainty_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
     struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_position_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_position_uncertainty_codec, 0x36, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3805,7 +3836,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
     struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_velocity_uncertainty_codec, 0x37, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3878,7 +3910,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_decode(
     struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_position_codec, 0x40, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3951,7 +3984,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_decode(
     struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_velocity_codec, 0x41, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4024,7 +4058,8 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_relative_position_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_relative_position_decode(
     struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_relative_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_relative_position_codec, 0x42, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4100,7 +4135,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_position_aiding_statu
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_position_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_position_aiding_status_codec, 0x43, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4178,7 +4214,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_attitude_aiding_statu
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
     struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_attitude_aiding_status_codec, 0x44, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4254,7 +4291,8 @@ extern MIP_API const struct mip_codec mip_filter_data_heading_aiding_status_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_aiding_status_decode(
     struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_heading_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_heading_aiding_status_codec, 0x45, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4332,7 +4370,8 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_measurement_summary
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
     struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_measurement_summary_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_measurement_summary_codec, 0x46, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4406,7 +4445,8 @@ extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_erro
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
     struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_odometer_scale_factor_error_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_codec, 0x47, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4479,7 +4519,8 @@ extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_unce
 static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode(
     struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_odometer_scale_factor_uncertainty_codec, 0x48, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4564,7 +4605,8 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_dual_antenna_status_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
     struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_dual_antenna_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_dual_antenna_status_codec, 0x49, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4640,7 +4682,8 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
     struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_frame_config_error_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_frame_config_error_codec, 0x50, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4721,7 +4764,8 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_error_uncerta
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
     struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_frame_error_uncertainty_codec, 0x51, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -8,7 +8,8 @@ static const uint8_t program_receiver_info[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01, MIP_COMMAND, 0, sizeof(struct mip_gnss_receiver_info), 0, program_receiver_info};
+    0x0E, 0x01,  MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
+    0,    false, program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
     {&mip_gnss_receiver_info_response_codec, NULL},
@@ -36,7 +37,9 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0,
     sizeof(struct mip_gnss_receiver_info_response),
     0,
-    program_receiver_info_response};
+    false,
+    program_receiver_info_response,
+    &mip_program};
 
 static const uint8_t program_signal_config[] = {
     MIP_REQUIRED(1, 5),
@@ -54,7 +57,8 @@ static const uint8_t program_signal_config[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02, MIP_COMMAND, 0, sizeof(struct mip_gnss_signal_config), 0, program_signal_config};
+    0x0E, 0x02,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
+    0,    false, program_signal_config, &mip_program};
 
 static bool asked_signal_config_1(const void *value) {
     const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
@@ -81,15 +85,24 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     8,
     sizeof(struct mip_gnss_signal_config_response),
     0,
-    program_signal_config_response};
+    sizeof(struct mip_gnss_signal_config_response) >= 8,
+    program_signal_config_response,
+    NULL};
 
 static const uint8_t program_receiver_reset[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_reset, receiver_id)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_reset_codec = {
-    0x0E, 0x03, MIP_COMMAND, 2, sizeof(struct mip_gnss_receiver_reset), 0, program_receiver_reset};
+const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
+                                                        0x03,
+                                                        MIP_COMMAND,
+                                                        2,
+                                                        sizeof(struct mip_gnss_receiver_reset),
+                                                        0,
+                                                        sizeof(struct mip_gnss_receiver_reset) >= 8,
+                                                        program_receiver_reset,
+                                                        NULL};
 
 const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec, NULL,
                                                             NULL, 0};
@@ -104,7 +117,8 @@ static const uint8_t program_rtk_config[] = {
 };
 
 const struct mip_codec mip_gnss_rtk_config_codec = {
-    0x0E, 0x04, MIP_COMMAND, 0, sizeof(struct mip_gnss_rtk_config), 0, program_rtk_config};
+    0x0E, 0x04,  MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
+    0,    false, program_rtk_config, &mip_program};
 
 static bool asked_rtk_config_1(const void *value) {
     const struct mip_gnss_rtk_config *v = (const struct mip_gnss_rtk_config *)value;
@@ -131,7 +145,9 @@ const struct mip_codec mip_gnss_rtk_config_response_codec = {
     5,
     sizeof(struct mip_gnss_rtk_config_response),
     0,
-    program_rtk_config_response};
+    sizeof(struct mip_gnss_rtk_config_response) >= 8,
+    program_rtk_config_response,
+    NULL};
 
 static const uint8_t program_rtk_dongle_config[] = {
     MIP_REQUIRED(1, 2),
@@ -149,7 +165,9 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     0,
     sizeof(struct mip_gnss_rtk_dongle_config),
     0,
-    program_rtk_dongle_config};
+    false,
+    program_rtk_dongle_config,
+    &mip_program};
 
 static bool asked_rtk_dongle_config_1(const void *value) {
     const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
@@ -176,7 +194,9 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     4,
     sizeof(struct mip_gnss_rtk_dongle_config_response),
     0,
-    program_rtk_dongle_config_response};
+    sizeof(struct mip_gnss_rtk_dongle_config_response) >= 8,
+    program_rtk_dongle_config_response,
+    NULL};
 
 static const uint8_t program_spartn_config[] = {
     MIP_FAR,
@@ -201,7 +221,8 @@ static const uint8_t program_spartn_config[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20, MIP_COMMAND, 0, sizeof(struct mip_gnss_spartn_config), 0, program_spartn_config};
+    0x0E, 0x20,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
+    0,    false, program_spartn_config, &mip_program};
 
 static bool asked_spartn_config_1(const void *value) {
     const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
@@ -235,4 +256,6 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0,
     sizeof(struct mip_gnss_spartn_config_response),
     0,
-    program_spartn_config_response};
+    false,
+    program_spartn_config_response,
+    &mip_program};

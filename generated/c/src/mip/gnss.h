@@ -171,7 +171,7 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_info_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -207,7 +207,8 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_info_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_response_decode(
     struct mip_gnss_receiver_info_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_info_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_info_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -265,7 +266,7 @@ extern MIP_API const struct mip_codec mip_gnss_signal_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_signal_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_signal_config_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -357,7 +358,8 @@ extern MIP_API const struct mip_codec mip_gnss_signal_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_response_decode(
     struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_signal_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_signal_config_response_codec, 0x82, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -434,7 +436,7 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_reset *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_reset_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -529,7 +531,7 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_config_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -607,7 +609,7 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_response_decode(
     struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_config_response_codec, 0x84, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -682,7 +684,7 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_dongle_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_dongle_config_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -759,7 +761,8 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
     struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_dongle_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_dongle_config_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -859,7 +862,7 @@ extern MIP_API const struct mip_codec mip_gnss_spartn_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_spartn_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_spartn_config_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -970,7 +973,8 @@ extern MIP_API const struct mip_codec mip_gnss_spartn_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_response_decode(
     struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_spartn_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_spartn_config_response_codec, 0xA0, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

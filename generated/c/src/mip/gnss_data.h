@@ -674,7 +674,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_llh_position_decode(struct mip_gnss_data_llh_position *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_llh_position_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -767,7 +767,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_position_decode(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ecef_position_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -877,7 +877,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ned_velocity_decode(struct mip_gnss_data_ned_velocity *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ned_velocity_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -975,7 +975,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_velocity_decode(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ecef_velocity_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1069,7 +1069,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_dop_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dop_decode(struct mip_gnss_data_dop *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dop_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dop_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1186,7 +1186,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_utc_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_utc_time_decode(struct mip_gnss_data_utc_time *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_utc_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_utc_time_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1279,7 +1279,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_time_decode(struct mip_gnss_data_gps_time *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_time_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1370,7 +1370,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_clock_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_decode(struct mip_gnss_data_clock_info *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_clock_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_clock_info_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1460,7 +1460,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_fix_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_fix_info_decode(struct mip_gnss_data_fix_info *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_fix_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_fix_info_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1563,7 +1563,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_sv_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sv_info_decode(struct mip_gnss_data_sv_info *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sv_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sv_info_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1661,7 +1661,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_hardware_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_hardware_status_decode(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_hardware_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_hardware_status_codec, 0x0D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1768,7 +1769,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_decode(struct mip_gnss_data_dgps_info *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_info_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1878,7 +1879,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_satellite_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
     struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_info_satellite_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_info_satellite_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1984,7 +1986,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_channel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_channel_decode(struct mip_gnss_data_dgps_channel *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_channel_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_channel_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2084,7 +2086,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_clock_info_2_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_2_decode(struct mip_gnss_data_clock_info_2 *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_clock_info_2_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_clock_info_2_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2167,7 +2169,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_leap_seconds_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_leap_seconds_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_leap_seconds_codec, 0x11, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2265,7 +2268,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_sbas_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_info_decode(struct mip_gnss_data_sbas_info *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sbas_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sbas_info_codec, 0x12, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2380,7 +2383,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_sbas_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_correction_decode(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sbas_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sbas_correction_codec, 0x13, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2493,7 +2497,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_rf_error_detection_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rf_error_detection_decode(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_rf_error_detection_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_rf_error_detection_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2589,7 +2594,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_heading_decode(struct mip_gnss_data_heading *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_heading_codec, 0x15, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2707,7 +2712,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_satellite_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_satellite_status_decode(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_satellite_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_satellite_status_codec, 0x20, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -2874,7 +2880,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_raw_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_raw_decode(struct mip_gnss_data_raw *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_raw_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_raw_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3010,7 +3016,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_base_station_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_base_station_info_decode(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_base_station_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_base_station_info_codec, 0x30, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3140,7 +3147,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_rtk_corrections_status_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_rtk_corrections_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_rtk_corrections_status_codec, 0x31, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3381,7 +3389,7 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_ephemeris_decode(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_ephemeris_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3627,7 +3635,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_glonass_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_glonass_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_glonass_ephemeris_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -3909,7 +3918,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_galileo_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_galileo_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_galileo_ephemeris_codec, 0x63, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4197,7 +4207,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_beidou_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_beidou_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_beidou_ephemeris_codec, 0x64, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4353,7 +4364,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_iono_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_iono_correction_decode(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_iono_correction_codec, 0x71, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4461,7 +4473,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_galileo_iono_correction_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_galileo_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_galileo_iono_correction_codec, 0x73, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -4569,7 +4582,8 @@ extern MIP_API const struct mip_codec mip_gnss_data_beidou_iono_correction_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_beidou_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_beidou_iono_correction_codec, 0x74, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

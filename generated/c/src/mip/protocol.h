@@ -65,7 +65,7 @@ extern MIP_API const struct mip_codec mip_protocol_acknowledge_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_protocol_acknowledge_codec, value, field, NULL);
+    return mip_decode_only(&mip_protocol_acknowledge_codec, 0xF1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

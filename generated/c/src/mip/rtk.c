@@ -13,7 +13,9 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_get_status_flags),
                                                          0,
-                                                         program_get_status_flags};
+                                                         false,
+                                                         program_get_status_flags,
+                                                         NULL};
 
 static const struct mip_response responses_get_status_flags[] = {
     {&mip_rtk_get_status_flags_response_codec, NULL},
@@ -35,14 +37,16 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     4,
     sizeof(struct mip_rtk_get_status_flags_response),
     0,
-    program_get_status_flags_response};
+    sizeof(struct mip_rtk_get_status_flags_response) >= 8,
+    program_get_status_flags_response,
+    NULL};
 
 static const uint8_t program_get_imei[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, program_get_imei};
+    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, false, program_get_imei, NULL};
 
 static const struct mip_response responses_get_imei[] = {
     {&mip_rtk_get_imei_response_codec, NULL},
@@ -63,14 +67,16 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imei_response),
                                                           0,
-                                                          program_get_imei_response};
+                                                          false,
+                                                          program_get_imei_response,
+                                                          &mip_program};
 
 static const uint8_t program_get_imsi[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, program_get_imsi};
+    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, false, program_get_imsi, NULL};
 
 static const struct mip_response responses_get_imsi[] = {
     {&mip_rtk_get_imsi_response_codec, NULL},
@@ -91,14 +97,17 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imsi_response),
                                                           0,
-                                                          program_get_imsi_response};
+                                                          false,
+                                                          program_get_imsi_response,
+                                                          &mip_program};
 
 static const uint8_t program_get_iccid[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), 0, program_get_iccid};
+    0x0F, 0x04,  MIP_COMMAND,       0,   sizeof(struct mip_rtk_get_iccid),
+    0,    false, program_get_iccid, NULL};
 
 static const struct mip_response responses_get_iccid[] = {
     {&mip_rtk_get_iccid_response_codec, NULL},
@@ -120,14 +129,16 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     0,
     sizeof(struct mip_rtk_get_iccid_response),
     0,
-    program_get_iccid_response};
+    false,
+    program_get_iccid_response,
+    &mip_program};
 
 static const uint8_t program_get_rssi[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, program_get_rssi};
+    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, false, program_get_rssi, NULL};
 
 static const struct mip_response responses_get_rssi[] = {
     {&mip_rtk_get_rssi_response_codec, NULL},
@@ -149,7 +160,9 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
                                                           9,
                                                           sizeof(struct mip_rtk_get_rssi_response),
                                                           0,
-                                                          program_get_rssi_response};
+                                                          false,
+                                                          program_get_rssi_response,
+                                                          NULL};
 
 static const uint8_t program_connected_device_type[] = {
     MIP_REQUIRED(1, 1),
@@ -165,7 +178,9 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     0,
     sizeof(struct mip_rtk_connected_device_type),
     0,
-    program_connected_device_type};
+    false,
+    program_connected_device_type,
+    &mip_program};
 
 static bool asked_connected_device_type_1(const void *value) {
     const struct mip_rtk_connected_device_type *v =
@@ -193,7 +208,9 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     1,
     sizeof(struct mip_rtk_connected_device_type_response),
     0,
-    program_connected_device_type_response};
+    sizeof(struct mip_rtk_connected_device_type_response) >= 8,
+    program_connected_device_type_response,
+    NULL};
 
 static const uint8_t program_get_activation_code[] = {
     MIP_END,
@@ -206,7 +223,9 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code),
     0,
-    program_get_activation_code};
+    false,
+    program_get_activation_code,
+    NULL};
 
 static const struct mip_response responses_get_activation_code[] = {
     {&mip_rtk_get_activation_code_response_codec, NULL},
@@ -229,7 +248,9 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code_response),
     0,
-    program_get_activation_code_response};
+    false,
+    program_get_activation_code_response,
+    &mip_program};
 
 static const uint8_t program_get_modem_firmware_version[] = {
     MIP_END,
@@ -242,7 +263,9 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version),
     0,
-    program_get_modem_firmware_version};
+    false,
+    program_get_modem_firmware_version,
+    NULL};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
     {&mip_rtk_get_modem_firmware_version_response_codec, NULL},
@@ -265,15 +288,24 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
     0,
-    program_get_modem_firmware_version_response};
+    false,
+    program_get_modem_firmware_version_response,
+    &mip_program};
 
 static const uint8_t program_service_status[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_rtk_service_status, reserved1)),
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F, 0x0A, MIP_COMMAND, 8, sizeof(struct mip_rtk_service_status), 0, program_service_status};
+const struct mip_codec mip_rtk_service_status_codec = {0x0F,
+                                                       0x0A,
+                                                       MIP_COMMAND,
+                                                       8,
+                                                       sizeof(struct mip_rtk_service_status),
+                                                       0,
+                                                       sizeof(struct mip_rtk_service_status) >= 8,
+                                                       program_service_status,
+                                                       NULL};
 
 static const struct mip_response responses_service_status[] = {
     {&mip_rtk_service_status_response_codec, NULL},
@@ -297,15 +329,24 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     17,
     sizeof(struct mip_rtk_service_status_response),
     0,
-    program_service_status_response};
+    false,
+    program_service_status_response,
+    NULL};
 
 static const uint8_t program_erase_storage[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_erase_storage, media)),
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F, 0x20, MIP_COMMAND, 1, sizeof(struct mip_rtk_erase_storage), 0, program_erase_storage};
+const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
+                                                      0x20,
+                                                      MIP_COMMAND,
+                                                      1,
+                                                      sizeof(struct mip_rtk_erase_storage),
+                                                      0,
+                                                      sizeof(struct mip_rtk_erase_storage) >= 8,
+                                                      program_erase_storage,
+                                                      NULL};
 
 const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec, NULL, NULL,
                                                           0};
@@ -317,7 +358,8 @@ static const uint8_t program_led_control[] = {
 };
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F, 0x21, MIP_COMMAND, 11, sizeof(struct mip_rtk_led_control), 0, program_led_control};
+    0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
+    0,    false, program_led_control, NULL};
 
 const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec, NULL, NULL, 0};
 
@@ -331,7 +373,9 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_modem_hard_reset),
                                                          0,
-                                                         program_modem_hard_reset};
+                                                         false,
+                                                         program_modem_hard_reset,
+                                                         NULL};
 
 const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec, NULL,
                                                              NULL, 0};

@@ -106,7 +106,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_status_flags_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_status_flags_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_status_flags_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -140,7 +140,8 @@ extern MIP_API const struct mip_codec mip_rtk_get_status_flags_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_response_decode(
     struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_status_flags_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_status_flags_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -203,7 +204,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_imei_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imei_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imei_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -237,7 +238,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_imei_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imei_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imei_response_codec, 0x82, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -301,7 +302,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_imsi_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imsi_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imsi_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -335,7 +336,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_imsi_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imsi_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imsi_response_codec, 0x83, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -399,7 +400,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_iccid_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_iccid_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_iccid_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -433,7 +434,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_iccid_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_iccid_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_iccid_response_codec, 0x84, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -497,7 +498,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_rssi_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_rssi_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_rssi_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -536,7 +537,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_rssi_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_rssi_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_rssi_response_codec, 0x85, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -611,7 +612,8 @@ extern MIP_API const struct mip_codec mip_rtk_connected_device_type_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_decode(
     struct mip_rtk_connected_device_type *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_connected_device_type_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_connected_device_type_codec, 0x06, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -685,7 +687,8 @@ extern MIP_API const struct mip_codec mip_rtk_connected_device_type_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_response_decode(
     struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_connected_device_type_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_connected_device_type_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -748,7 +751,7 @@ extern MIP_API const struct mip_codec mip_rtk_get_activation_code_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_decode(
     struct mip_rtk_get_activation_code *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_activation_code_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_activation_code_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -783,7 +786,8 @@ extern MIP_API const struct mip_codec mip_rtk_get_activation_code_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_response_decode(
     struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_activation_code_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_activation_code_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -847,7 +851,8 @@ extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_decode(
     struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_modem_firmware_version_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_modem_firmware_version_codec, 0x08, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -881,7 +886,8 @@ extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_response_decode(
     struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_modem_firmware_version_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_modem_firmware_version_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -949,7 +955,7 @@ extern MIP_API const struct mip_codec mip_rtk_service_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_rtk_service_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_service_status_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1020,7 +1026,8 @@ extern MIP_API const struct mip_codec mip_rtk_service_status_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_response_decode(
     struct mip_rtk_service_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_service_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_service_status_response_codec, 0x8A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1093,7 +1100,7 @@ extern MIP_API const struct mip_codec mip_rtk_erase_storage_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_rtk_erase_storage_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_erase_storage_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1174,7 +1181,7 @@ extern MIP_API const struct mip_codec mip_rtk_led_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_rtk_led_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_led_control_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1264,7 +1271,7 @@ extern MIP_API const struct mip_codec mip_rtk_modem_hard_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_rtk_modem_hard_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_modem_hard_reset_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

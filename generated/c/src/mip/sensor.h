@@ -77,7 +77,7 @@ extern MIP_API const struct mip_codec mip_sensor_raw_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -144,7 +144,7 @@ extern MIP_API const struct mip_codec mip_sensor_raw_gyro_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_gyro_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_gyro_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -215,7 +215,7 @@ extern MIP_API const struct mip_codec mip_sensor_raw_mag_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_mag_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_mag_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -282,7 +282,7 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_accel_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -349,7 +349,7 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_gyro_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_gyro_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_gyro_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -415,7 +415,7 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_mag_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_mag_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_mag_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -482,7 +482,7 @@ extern MIP_API const struct mip_codec mip_sensor_delta_theta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_sensor_delta_theta_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_delta_theta_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -551,7 +551,7 @@ extern MIP_API const struct mip_codec mip_sensor_delta_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_sensor_delta_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_delta_velocity_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -624,7 +624,8 @@ extern MIP_API const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_matrix_decode(
     struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_orientation_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_orientation_matrix_codec, 0x09, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -697,7 +698,7 @@ extern MIP_API const struct mip_codec mip_sensor_comp_quaternion_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_quaternion_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -768,7 +769,8 @@ extern MIP_API const struct mip_codec mip_sensor_comp_orientation_update_matrix_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_update_matrix_decode(
     struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_orientation_update_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_orientation_update_matrix_codec, 0x0B, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -841,7 +843,7 @@ extern MIP_API const struct mip_codec mip_sensor_comp_euler_angles_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_euler_angles_decode(
     struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_euler_angles_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_euler_angles_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -915,7 +917,8 @@ extern MIP_API const struct mip_codec mip_sensor_orientation_raw_temperature_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_orientation_raw_temperature_decode(
     struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_orientation_raw_temperature_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_orientation_raw_temperature_codec, 0x0D, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -984,7 +987,8 @@ extern MIP_API const struct mip_codec mip_sensor_internal_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_internal_timestamp_decode(
     struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_internal_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_internal_timestamp_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1056,7 +1060,7 @@ extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_sensor_pps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_pps_timestamp_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1137,7 +1141,8 @@ extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_with_flags_decode(
     struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_pps_timestamp_with_flags_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_pps_timestamp_with_flags_codec, 0x0F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1212,7 +1217,7 @@ extern MIP_API const struct mip_codec mip_sensor_north_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_north_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_north_vector_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1284,7 +1289,7 @@ extern MIP_API const struct mip_codec mip_sensor_up_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_sensor_up_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_up_vector_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1374,7 +1379,7 @@ extern MIP_API const struct mip_codec mip_sensor_gps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_sensor_gps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_gps_timestamp_codec, 0x12, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1446,7 +1451,8 @@ extern MIP_API const struct mip_codec mip_sensor_temperature_statistics_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_temperature_statistics_decode(
     struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_temperature_statistics_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_temperature_statistics_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1512,7 +1518,7 @@ extern MIP_API const struct mip_codec mip_sensor_raw_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_pressure_codec, 0x16, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1575,7 +1581,7 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_pressure_codec, 0x17, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1637,7 +1643,7 @@ extern MIP_API const struct mip_codec mip_sensor_overrange_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_overrange_status_decode(
     struct mip_sensor_overrange_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_overrange_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_overrange_status_codec, 0x18, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1709,7 +1715,7 @@ extern MIP_API const struct mip_codec mip_sensor_odometer_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_sensor_odometer_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_odometer_codec, 0x40, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

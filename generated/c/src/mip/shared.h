@@ -66,7 +66,7 @@ extern MIP_API const struct mip_codec mip_shared_event_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_shared_event_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_event_source_codec, 0xD0, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -132,7 +132,7 @@ extern MIP_API const struct mip_codec mip_shared_ticks_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_shared_ticks_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_ticks_codec, 0xD1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -197,7 +197,7 @@ extern MIP_API const struct mip_codec mip_shared_delta_ticks_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_shared_delta_ticks_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_delta_ticks_codec, 0xD2, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -280,7 +280,7 @@ extern MIP_API const struct mip_codec mip_shared_gps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_shared_gps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_gps_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -350,7 +350,7 @@ extern MIP_API const struct mip_codec mip_shared_delta_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_shared_delta_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_delta_time_codec, 0xD4, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -416,7 +416,8 @@ extern MIP_API const struct mip_codec mip_shared_reference_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_timestamp_decode(
     struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_reference_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_reference_timestamp_codec, 0xD5, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -480,7 +481,8 @@ extern MIP_API const struct mip_codec mip_shared_reference_time_delta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_time_delta_decode(
     struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_reference_time_delta_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_reference_time_delta_codec, 0xD6, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -561,7 +563,8 @@ extern MIP_API const struct mip_codec mip_shared_external_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_timestamp_decode(
     struct mip_shared_external_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_external_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_external_timestamp_codec, 0xD7, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -634,7 +637,8 @@ extern MIP_API const struct mip_codec mip_shared_external_time_delta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_time_delta_decode(
     struct mip_shared_external_time_delta *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_external_time_delta_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_external_time_delta_codec, 0xD8, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -21,7 +21,9 @@ const struct mip_codec mip_system_interface_control_codec = {
     0,
     sizeof(struct mip_system_interface_control),
     0,
-    program_interface_control};
+    false,
+    program_interface_control,
+    &mip_program};
 
 static bool asked_interface_control_1(const void *value) {
     const struct mip_system_interface_control *v =
@@ -50,7 +52,9 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     9,
     sizeof(struct mip_system_interface_control_response),
     0,
-    program_interface_control_response};
+    false,
+    program_interface_control_response,
+    NULL};
 
 static const uint8_t program_comm_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -60,7 +64,8 @@ static const uint8_t program_comm_mode[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10, MIP_COMMAND, 0, sizeof(struct mip_system_comm_mode), 0, program_comm_mode};
+    0x7F, 0x10,  MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
+    0,    false, program_comm_mode, &mip_program};
 
 static bool asked_comm_mode_1(const void *value) {
     const struct mip_system_comm_mode *v = (const struct mip_system_comm_mode *)value;
@@ -87,4 +92,6 @@ const struct mip_codec mip_system_comm_mode_response_codec = {
     1,
     sizeof(struct mip_system_comm_mode_response),
     0,
-    program_comm_mode_response};
+    sizeof(struct mip_system_comm_mode_response) >= 8,
+    program_comm_mode_response,
+    NULL};

@@ -105,7 +105,7 @@ extern MIP_API const struct mip_codec mip_system_interface_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_decode(
     struct mip_system_interface_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_interface_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_interface_control_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -216,7 +216,8 @@ extern MIP_API const struct mip_codec mip_system_interface_control_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_response_decode(
     struct mip_system_interface_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_interface_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_interface_control_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -298,7 +299,7 @@ extern MIP_API const struct mip_codec mip_system_comm_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_system_comm_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_comm_mode_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -377,7 +378,8 @@ extern MIP_API const struct mip_codec mip_system_comm_mode_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_response_decode(
     struct mip_system_comm_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_comm_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_comm_mode_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -71,7 +71,8 @@ extern MIP_API const struct mip_codec mip_system_data_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_built_in_test_decode(
     struct mip_system_data_built_in_test *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_built_in_test_codec, 0x01, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -135,7 +136,8 @@ extern MIP_API const struct mip_codec mip_system_data_time_sync_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_time_sync_status_decode(
     struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_time_sync_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_time_sync_status_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -208,7 +210,7 @@ extern MIP_API const struct mip_codec mip_system_data_gpio_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_system_data_gpio_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_gpio_state_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -274,7 +276,8 @@ extern MIP_API const struct mip_codec mip_system_data_gpio_analog_value_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_analog_value_decode(
     struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_gpio_analog_value_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_gpio_analog_value_codec, 0x04, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

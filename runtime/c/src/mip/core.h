@@ -321,6 +321,8 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 /** A field with data, which the device sends by itself. */
 #define MIP_DATA 2
 
+struct mip_interpreter;
+
 /** The wire format of a type of field. */
 struct mip_codec {
     /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets; the first
@@ -330,14 +332,18 @@ struct mip_codec {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Bytes of data, if they are only numbers that fill the structure; 0 for other layouts. */
+    /** Bytes of data, at least, of a layout that is only numbers; 0 of other layouts. */
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
     /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
     uint8_t more_sets;
+    /** Is it only numbers, which fill a structure of at least eight bytes up to its last seven? */
+    bool plain;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
+    /** What runs them; NULL if they are only numbers. */
+    const struct mip_interpreter *interpreter;
 };
 
 /** Do packets of this descriptor set contain fields of this type? */
@@ -357,6 +363,22 @@ MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec 
 MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
                              const struct mip_field *field, size_t *trailing);
 
+/** What each _decode calls. Most fields of a packet are others: they are refused before a call,
+ * unless size matters more than speed. */
+static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t descriptor,
+                                        void *value, size_t size, const struct mip_field *field) {
+#ifdef __OPTIMIZE_SIZE__
+    (void)descriptor;
+    (void)size;
+#else
+    if (field->descriptor != descriptor) {
+        memset(value, 0, size);
+        return MIP_ERROR_DESCRIPTOR;
+    }
+#endif
+    return mip_decode(codec, value, field, NULL);
+}
+
 /**
  * Encodes a field of any type into a packet. On an error the packet is unchanged. `value` may be
  * NULL if the field has no parameters.
@@ -374,10 +396,10 @@ static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
 /** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
 static inline mip_error mip_field_check(const struct mip_field *field, uint8_t descriptor_set,
                                         uint8_t descriptor, size_t size) {
-    return !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
-           : field->descriptor != descriptor                   ? MIP_ERROR_DESCRIPTOR
-           : field->size < size                                ? MIP_ERROR_TRUNCATED
-                                                               : MIP_OK;
+    return field->descriptor != descriptor                       ? MIP_ERROR_DESCRIPTOR
+           : !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
+           : field->size < size                                  ? MIP_ERROR_TRUNCATED
+                                                                 : MIP_OK;
 }
 
 /**

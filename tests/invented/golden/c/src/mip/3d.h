@@ -54,7 +54,7 @@ extern MIP_API const struct mip_codec mip_3d_default_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_3d_default_codec, value, field, NULL);
+    return mip_decode_only(&mip_3d_default_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

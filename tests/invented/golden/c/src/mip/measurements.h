@@ -68,7 +68,7 @@ extern MIP_API const struct mip_codec mip_measurements_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -164,7 +164,7 @@ extern MIP_API const struct mip_codec mip_measurements_numbers_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_numbers_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_numbers_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -262,7 +262,7 @@ extern MIP_API const struct mip_codec mip_measurements_strings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_strings_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_strings_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -301,7 +301,7 @@ extern MIP_API const struct mip_codec mip_measurements_health_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_health_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_health_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -380,7 +380,7 @@ extern MIP_API const struct mip_codec mip_measurements_arrays_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_arrays_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_arrays_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -498,7 +498,7 @@ extern MIP_API const struct mip_codec mip_measurements_growing_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_growing_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_growing_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -547,7 +547,7 @@ extern MIP_API const struct mip_codec mip_measurements_radio_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_radio_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_radio_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -626,7 +626,7 @@ extern MIP_API const struct mip_codec mip_measurements_own_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_own_decode(struct mip_measurements_own *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_measurements_own_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_own_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -692,7 +692,7 @@ extern MIP_API const struct mip_codec mip_measurements_cloud_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_cloud_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_cloud_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -745,7 +745,7 @@ extern MIP_API const struct mip_codec mip_measurements_gust_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_measurements_gust_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_gust_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -788,7 +788,7 @@ extern MIP_API const struct mip_codec mip_measurements_breeze_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_breeze_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_breeze_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -48,7 +48,7 @@ extern MIP_API const struct mip_codec mip_shared_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_shared_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */

@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, false, program_ping, NULL};
 
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, NULL, NULL, 0};
 
@@ -28,7 +28,8 @@ static const uint8_t program_settings[] = {
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_tools_settings), 0, program_settings};
+    0x01, 0x02,  MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
+    0,    false, program_settings, &mip_program};
 
 static bool silent_settings(const void *value) {
     const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
@@ -63,7 +64,9 @@ const struct mip_codec mip_tools_settings_response_codec = {
     9,
     sizeof(struct mip_tools_settings_response),
     0,
-    program_settings_response};
+    false,
+    program_settings_response,
+    NULL};
 
 static const uint8_t program_set_time[] = {
     MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
@@ -75,7 +78,8 @@ static const uint8_t program_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_tools_set_time), 0, program_set_time};
+    0x01, 0x03,  MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
+    0,    false, program_set_time, &mip_program};
 
 static bool silent_set_time(const void *value) {
     const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
@@ -113,7 +117,9 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_fast_response),
     0,
-    program_set_time_fast_response};
+    sizeof(struct mip_tools_set_time_fast_response) >= 8,
+    program_set_time_fast_response,
+    NULL};
 
 static const uint8_t program_set_time_slow_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_set_time_slow_response, value)),
@@ -127,7 +133,9 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_slow_response),
     0,
-    program_set_time_slow_response};
+    sizeof(struct mip_tools_set_time_slow_response) >= 8,
+    program_set_time_slow_response,
+    NULL};
 
 static const uint8_t program_status[] = {
     MIP_CONSTANT(2, 0x12, 0x67),
@@ -136,7 +144,8 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01, 0x04, MIP_COMMAND, 0, sizeof(struct mip_tools_status), 0, program_status};
+    0x01, 0x04,  MIP_COMMAND,    0,           sizeof(struct mip_tools_status),
+    0,    false, program_status, &mip_program};
 
 static bool asked_status_1(const void *value) {
     const struct mip_tools_status *v = (const struct mip_tools_status *)value;
@@ -168,7 +177,8 @@ static const uint8_t program_status_short[] = {
 };
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_short), 0, program_status_short};
+    0x01, 0x90,  MIP_RESPONSE,         0,          sizeof(struct mip_tools_status_short),
+    0,    false, program_status_short, &mip_layout};
 
 static const uint8_t program_status_long[] = {
     MIP_LAYOUT(15, 15, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -180,7 +190,8 @@ static const uint8_t program_status_long[] = {
 };
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_long), 0, program_status_long};
+    0x01, 0x90,  MIP_RESPONSE,        0,          sizeof(struct mip_tools_status_long),
+    0,    false, program_status_long, &mip_layout};
 
 static const uint8_t program_status_old[] = {
     MIP_LAYOUT(0, 14, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -191,7 +202,8 @@ static const uint8_t program_status_old[] = {
 };
 
 const struct mip_codec mip_tools_status_old_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_old), 0, program_status_old};
+    0x01, 0x90,  MIP_RESPONSE,       0,          sizeof(struct mip_tools_status_old),
+    0,    false, program_status_old, &mip_layout};
 
 static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -204,7 +216,8 @@ static const uint8_t program_full[] = {
 };
 
 const struct mip_codec mip_tools_full_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), 0, program_full};
+    0x01, 0x90,  MIP_RESPONSE, 0,          sizeof(struct mip_tools_full),
+    0,    false, program_full, &mip_layout};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(1, 1),
@@ -214,7 +227,8 @@ static const uint8_t program_bias[] = {
 };
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), 0, program_bias};
+    0x01, 0x05,  MIP_COMMAND,  0,           sizeof(struct mip_tools_bias),
+    0,    false, program_bias, &mip_program};
 
 static bool asked_bias_1(const void *value) {
     const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
@@ -233,16 +247,30 @@ static const uint8_t program_bias_vector[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01, 0x9B, MIP_RESPONSE, 12, sizeof(struct mip_tools_bias_vector), 0, program_bias_vector};
+const struct mip_codec mip_tools_bias_vector_codec = {0x01,
+                                                      0x9B,
+                                                      MIP_RESPONSE,
+                                                      12,
+                                                      sizeof(struct mip_tools_bias_vector),
+                                                      0,
+                                                      sizeof(struct mip_tools_bias_vector) >= 8,
+                                                      program_bias_vector,
+                                                      NULL};
 
 static const uint8_t program_capture_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_tools_capture_bias, time)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01, 0x06, MIP_COMMAND, 2, sizeof(struct mip_tools_capture_bias), 0, program_capture_bias};
+const struct mip_codec mip_tools_capture_bias_codec = {0x01,
+                                                       0x06,
+                                                       MIP_COMMAND,
+                                                       2,
+                                                       sizeof(struct mip_tools_capture_bias),
+                                                       0,
+                                                       sizeof(struct mip_tools_capture_bias) >= 8,
+                                                       program_capture_bias,
+                                                       NULL};
 
 static const struct mip_response responses_capture_bias[] = {
     {&mip_tools_bias_vector_codec, NULL},
@@ -265,7 +293,8 @@ static const uint8_t program_formats[] = {
 };
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01, 0x07, MIP_COMMAND, 0, sizeof(struct mip_tools_formats), 0, program_formats};
+    0x01, 0x07,  MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
+    0,    false, program_formats, &mip_program};
 
 static bool silent_formats(const void *value) {
     const struct mip_tools_formats *v = (const struct mip_tools_formats *)value;
@@ -313,7 +342,8 @@ static const uint8_t program_choice[] = {
 };
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01, 0x08, MIP_COMMAND, 0, sizeof(struct mip_tools_choice), 0, program_choice};
+    0x01, 0x08,  MIP_COMMAND,    0,           sizeof(struct mip_tools_choice),
+    0,    false, program_choice, &mip_program};
 
 static bool asked_choice_1(const void *value) {
     const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
@@ -369,7 +399,9 @@ const struct mip_codec mip_tools_choice_response_codec = {0x01,
                                                           0,
                                                           sizeof(struct mip_tools_choice_response),
                                                           0,
-                                                          program_choice_response};
+                                                          false,
+                                                          program_choice_response,
+                                                          &mip_program};
 
 static const uint8_t program_list[] = {
     MIP_REQUIRED(1, 2),
@@ -382,7 +414,8 @@ static const uint8_t program_list[] = {
 };
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), 0, program_list};
+    0x01, 0x09,  MIP_COMMAND,  0,           sizeof(struct mip_tools_list),
+    0,    false, program_list, &mip_program};
 
 static bool asked_list_1(const void *value) {
     const struct mip_tools_list *v = (const struct mip_tools_list *)value;
@@ -405,14 +438,15 @@ static const uint8_t program_list_response[] = {
 };
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01, 0x89, MIP_RESPONSE, 0, sizeof(struct mip_tools_list_response), 0, program_list_response};
+    0x01, 0x89,  MIP_RESPONSE,          0,           sizeof(struct mip_tools_list_response),
+    0,    false, program_list_response, &mip_program};
 
 static const uint8_t program_stock[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_tools_stock_codec = {
-    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, program_stock};
+    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, false, program_stock, NULL};
 
 static const struct mip_response responses_stock[] = {
     {&mip_tools_stock_response_codec, NULL},
@@ -428,13 +462,9 @@ static const uint8_t program_stock_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_stock_response_codec = {0x01,
-                                                         0x8A,
-                                                         MIP_RESPONSE,
-                                                         0,
-                                                         sizeof(struct mip_tools_stock_response),
-                                                         0,
-                                                         program_stock_response};
+const struct mip_codec mip_tools_stock_response_codec = {
+    0x01, 0x8A,  MIP_RESPONSE,           0,           sizeof(struct mip_tools_stock_response),
+    0,    false, program_stock_response, &mip_program};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -446,7 +476,7 @@ static const uint8_t program_pin[] = {
 };
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, program_pin};
+    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, false, program_pin, &mip_program};
 
 static bool asked_pin_1(const void *value) {
     const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
@@ -465,8 +495,15 @@ static const uint8_t program_pin_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_pin_response_codec = {
-    0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), 0, program_pin_response};
+const struct mip_codec mip_tools_pin_response_codec = {0x01,
+                                                       0x8B,
+                                                       MIP_RESPONSE,
+                                                       2,
+                                                       sizeof(struct mip_tools_pin_response),
+                                                       0,
+                                                       sizeof(struct mip_tools_pin_response) >= 8,
+                                                       program_pin_response,
+                                                       NULL};
 
 static const uint8_t program_hello[] = {
     MIP_OPTIONAL(1), MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
@@ -475,7 +512,8 @@ static const uint8_t program_hello[] = {
 };
 
 const struct mip_codec mip_tools_hello_codec = {
-    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), 0, program_hello};
+    0x01, 0x0C,  MIP_COMMAND,   0,           sizeof(struct mip_tools_hello),
+    0,    false, program_hello, &mip_program};
 
 static const struct mip_response responses_hello[] = {
     {&mip_tools_hello_response_codec, NULL},
@@ -496,15 +534,25 @@ const struct mip_codec mip_tools_hello_response_codec = {0x01,
                                                          4,
                                                          sizeof(struct mip_tools_hello_response),
                                                          0,
-                                                         program_hello_response};
+                                                         sizeof(struct mip_tools_hello_response) >=
+                                                             8,
+                                                         program_hello_response,
+                                                         NULL};
 
 static const uint8_t program_readings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_readings, drive)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_readings_codec = {
-    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), 0, program_readings};
+const struct mip_codec mip_tools_readings_codec = {0x01,
+                                                   0x0D,
+                                                   MIP_COMMAND,
+                                                   1,
+                                                   sizeof(struct mip_tools_readings),
+                                                   0,
+                                                   sizeof(struct mip_tools_readings) >= 8,
+                                                   program_readings,
+                                                   NULL};
 
 static const struct mip_response responses_readings[] = {
     {&mip_tools_readings_response_codec, NULL},
@@ -536,7 +584,9 @@ const struct mip_codec mip_tools_readings_response_codec = {
     0,
     sizeof(struct mip_tools_readings_response),
     0,
-    program_readings_response};
+    false,
+    program_readings_response,
+    &mip_program};
 
 static const uint8_t program_poll[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_tools_poll, descriptor_set)),
@@ -547,6 +597,7 @@ static const uint8_t program_poll[] = {
 };
 
 const struct mip_codec mip_tools_poll_codec = {
-    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), 0, program_poll};
+    0x01, 0x0E,  MIP_COMMAND,  0,           sizeof(struct mip_tools_poll),
+    0,    false, program_poll, &mip_program};
 
 const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, NULL, NULL, 0};

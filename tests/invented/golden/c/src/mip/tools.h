@@ -170,7 +170,7 @@ extern MIP_API const struct mip_codec mip_tools_ping_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_ping_decode(struct mip_tools_ping *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_ping_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -235,7 +235,7 @@ extern MIP_API const struct mip_codec mip_tools_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_settings_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -373,7 +373,7 @@ extern MIP_API const struct mip_codec mip_tools_settings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_response_decode(
     struct mip_tools_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_settings_response_codec, 0x82, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -455,7 +455,7 @@ extern MIP_API const struct mip_codec mip_tools_set_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -530,7 +530,8 @@ extern MIP_API const struct mip_codec mip_tools_set_time_fast_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_fast_response_decode(
     struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_fast_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_fast_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -590,7 +591,8 @@ extern MIP_API const struct mip_codec mip_tools_set_time_slow_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_slow_response_decode(
     struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_slow_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_slow_response_codec, 0x84, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -657,7 +659,7 @@ extern MIP_API const struct mip_codec mip_tools_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -712,7 +714,7 @@ extern MIP_API const struct mip_codec mip_tools_status_short_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_short_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_short_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -759,7 +761,7 @@ extern MIP_API const struct mip_codec mip_tools_status_long_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_long_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_long_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -803,7 +805,7 @@ extern MIP_API const struct mip_codec mip_tools_status_old_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_old_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_old_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -851,7 +853,7 @@ extern MIP_API const struct mip_codec mip_tools_full_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_full_decode(struct mip_tools_full *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_full_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_full_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -896,7 +898,7 @@ extern MIP_API const struct mip_codec mip_tools_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_bias_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -967,7 +969,7 @@ extern MIP_API const struct mip_codec mip_tools_bias_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_tools_bias_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_bias_vector_codec, 0x9B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1034,7 +1036,7 @@ extern MIP_API const struct mip_codec mip_tools_capture_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_capture_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_capture_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1113,7 +1115,7 @@ extern MIP_API const struct mip_codec mip_tools_formats_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_tools_formats_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_formats_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1193,7 +1195,7 @@ extern MIP_API const struct mip_codec mip_tools_choice_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_tools_choice_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_choice_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1275,7 +1277,7 @@ extern MIP_API const struct mip_codec mip_tools_choice_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_tools_choice_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_choice_response_codec, 0x88, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1321,7 +1323,7 @@ extern MIP_API const struct mip_codec mip_tools_list_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_list_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_list_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1383,7 +1385,7 @@ extern MIP_API const struct mip_codec mip_tools_list_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_tools_list_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_list_response_codec, 0x89, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1421,7 +1423,7 @@ extern MIP_API const struct mip_codec mip_tools_stock_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_decode(struct mip_tools_stock *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_tools_stock_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_stock_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1459,7 +1461,7 @@ extern MIP_API const struct mip_codec mip_tools_stock_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_tools_stock_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_stock_response_codec, 0x8A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1507,7 +1509,7 @@ extern MIP_API const struct mip_codec mip_tools_pin_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
                                              const struct mip_field *field) {
-    return mip_decode(&mip_tools_pin_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_pin_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1573,7 +1575,7 @@ extern MIP_API const struct mip_codec mip_tools_pin_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_pin_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_pin_response_codec, 0x8B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1647,7 +1649,7 @@ extern MIP_API const struct mip_codec mip_tools_hello_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_decode(struct mip_tools_hello *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_tools_hello_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_hello_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1682,7 +1684,7 @@ extern MIP_API const struct mip_codec mip_tools_hello_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_tools_hello_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_hello_response_codec, 0x8C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1744,7 +1746,7 @@ extern MIP_API const struct mip_codec mip_tools_readings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_readings_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_readings_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1827,7 +1829,7 @@ extern MIP_API const struct mip_codec mip_tools_readings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_response_decode(
     struct mip_tools_readings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_readings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_readings_response_codec, 0x8D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
@@ -1869,7 +1871,7 @@ extern MIP_API const struct mip_codec mip_tools_poll_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_poll_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_poll_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
