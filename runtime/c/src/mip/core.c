@@ -1,11 +1,17 @@
 /* Packets, fields, and the packet builder. */
 #include "mip/core.h"
 
+#include "mip/checksum.h"
+
 unsigned long mip_version(void) {
     return MIP_VERSION_NUMBER;
 }
 
 /* --------------------------------------------------------------------------- packets and fields */
+
+uint16_t mip_checksum(const uint8_t *bytes, size_t size) {
+    return mip_sum(bytes, size);
+}
 
 mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     if (size < 2 || bytes[0] != MIP_SYNC_1 || bytes[1] != MIP_SYNC_2) {
