@@ -139,7 +139,7 @@ static void send(struct input *in) {
 static bool check_answer(struct slot *s, const struct mip_field *acknowledge, const struct mip_field *field) {
     const struct mip_request *r = &s->request;
     const struct mip_codec *command = s->entry->codec;
-    const bool responds = r->codec != NULL &&
+    const bool responds = r->asked != NULL &&
                           (r->state == MIP_REQUEST_ACKNOWLEDGED || r->state == MIP_REQUEST_UNDECODABLE);
     CHECK(s->waiting && acknowledge->descriptor == 0xF1 && acknowledge->size >= 2);
     CHECK(acknowledge->descriptor_set == s->set && acknowledge->data[0] == command->descriptor);

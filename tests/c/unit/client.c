@@ -288,7 +288,7 @@ static void sizes(void) {
     /* The one that is expected. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
-    CHECK(r.codec == &mip_tools_status_long_codec);
+    CHECK(r.asked->layout == &mip_tools_status_long_codec && r.codec == NULL);
     CHECK(!mip_client_expect(&r, &mip_tools_status_short_codec, &brief));
     expect(&r, &mip_tools_status_old_codec, &value);
     CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && value.uptime == 5);

@@ -28,18 +28,18 @@ const struct mip_codec mip_aiding_frame_config_codec = {
     0x13, 0x01,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
     0,    false, program_frame_config, &mip_program};
 
-static bool asked_frame_config_1(const void *value) {
-    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_frame_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                               MIP_WHEN_END};
 static const struct mip_response responses_frame_config[] = {
-    {&mip_aiding_frame_config_response_codec, asked_frame_config_1},
-    {NULL, NULL},
+    {asked_frame_config_1, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec, NULL,
-                                                            responses_frame_config, 0};
+const struct mip_exchange mip_aiding_frame_config_exchange = {0x13, 0x01, 0, NULL,
+                                                              responses_frame_config};
+
+const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec,
+                                                            &mip_aiding_frame_config_exchange};
 
 static const uint8_t program_frame_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_aiding_frame_config_response, frame_id)),
@@ -76,18 +76,18 @@ const struct mip_codec mip_aiding_echo_control_codec = {
     0x13, 0x1F,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
     0,    false, program_echo_control, &mip_program};
 
-static bool asked_echo_control_1(const void *value) {
-    const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_echo_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                               MIP_WHEN_END};
 static const struct mip_response responses_echo_control[] = {
-    {&mip_aiding_echo_control_response_codec, asked_echo_control_1},
-    {NULL, NULL},
+    {asked_echo_control_1, NULL, 0x9F},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec, NULL,
-                                                            responses_echo_control, 0};
+const struct mip_exchange mip_aiding_echo_control_exchange = {0x13, 0x1F, 0, NULL,
+                                                              responses_echo_control};
+
+const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec,
+                                                            &mip_aiding_echo_control_exchange};
 
 static const uint8_t program_echo_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_echo_control_response, mode)),
@@ -119,8 +119,10 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0x13, 0x21,  MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
     0,    false, program_ecef_position, NULL};
 
-const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec,
+                                                             &mip_aiding_ecef_position_exchange};
 
 static const uint8_t program_llh_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_llh_position, time.timebase)),
@@ -136,8 +138,10 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     0x13, 0x22,  MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
     0,    false, program_llh_position, NULL};
 
-const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec,
+                                                            &mip_aiding_llh_position_exchange};
 
 static const uint8_t program_height_above_ellipsoid[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_height_above_ellipsoid, time.timebase)),
@@ -159,8 +163,10 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     program_height_above_ellipsoid,
     NULL};
 
+const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13, 0x23, 0, NULL, NULL};
+
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
-    &mip_aiding_height_above_ellipsoid_codec, NULL, NULL, 0};
+    &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_velocity, time.timebase)),
@@ -175,8 +181,10 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     0x13, 0x28,  MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
     0,    false, program_ecef_velocity, NULL};
 
-const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec,
+                                                             &mip_aiding_ecef_velocity_exchange};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ned_velocity, time.timebase)),
@@ -191,8 +199,10 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0x13, 0x29,  MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
     0,    false, program_ned_velocity, NULL};
 
-const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec,
+                                                            &mip_aiding_ned_velocity_exchange};
 
 static const uint8_t program_body_frame_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_body_frame_velocity, time.timebase)),
@@ -214,8 +224,10 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     program_body_frame_velocity,
     NULL};
 
+const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, NULL, NULL};
+
 const struct mip_command mip_aiding_body_frame_velocity_command = {
-    &mip_aiding_body_frame_velocity_codec, NULL, NULL, 0};
+    &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange};
 
 static const uint8_t program_true_heading[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_true_heading, time.timebase)),
@@ -230,8 +242,10 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0x13, 0x31,  MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
     0,    false, program_true_heading, NULL};
 
-const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec,
+                                                            &mip_aiding_true_heading_exchange};
 
 static const uint8_t program_magnetic_field[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_magnetic_field, time.timebase)),
@@ -252,8 +266,10 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           program_magnetic_field,
                                                           NULL};
 
+const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, NULL, NULL};
+
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
-                                                              NULL, NULL, 0};
+                                                              &mip_aiding_magnetic_field_exchange};
 
 static const uint8_t program_pressure[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure, time.timebase)),
@@ -268,4 +284,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0x13, 0x33,  MIP_COMMAND,      21,  sizeof(struct mip_aiding_pressure),
     0,    false, program_pressure, NULL};
 
-const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec, NULL, NULL, 0};
+const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, NULL, NULL};
+
+const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
+                                                        &mip_aiding_pressure_exchange};

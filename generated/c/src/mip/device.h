@@ -172,6 +172,16 @@ MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,
                                           const struct mip_codec *codec, void *response);
 
+/**
+ * The same with the data of the command as it is sent, without its structure. Functions
+ * mip_call_... that take plain values call this, so that a program with only these links nothing
+ * that encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
+ */
+MIP_API struct mip_result mip_device_send(struct mip_device *device,
+                                          const struct mip_exchange *exchange, const uint8_t *data,
+                                          size_t size, const struct mip_codec *codec,
+                                          void *response);
+
 #ifdef __cplusplus
 }
 #endif

@@ -12,12 +12,15 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     0,    false, program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
-    {&mip_gnss_receiver_info_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec, NULL,
-                                                           responses_receiver_info, 0};
+const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E, 0x01, 0, NULL,
+                                                             responses_receiver_info};
+
+const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
+                                                           &mip_gnss_receiver_info_exchange};
 
 static const uint8_t program_receiver_info_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
@@ -60,18 +63,18 @@ const struct mip_codec mip_gnss_signal_config_codec = {
     0x0E, 0x02,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
     0,    false, program_signal_config, &mip_program};
 
-static bool asked_signal_config_1(const void *value) {
-    const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_signal_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_signal_config[] = {
-    {&mip_gnss_signal_config_response_codec, asked_signal_config_1},
-    {NULL, NULL},
+    {asked_signal_config_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec, NULL,
-                                                           responses_signal_config, 0};
+const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E, 0x02, 0, NULL,
+                                                             responses_signal_config};
+
+const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
+                                                           &mip_gnss_signal_config_exchange};
 
 static const uint8_t program_signal_config_response[] = {
     MIP_8_BITS(8, MIP_AT(struct mip_gnss_signal_config_response, gps_enable)),
@@ -104,8 +107,10 @@ const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
                                                         program_receiver_reset,
                                                         NULL};
 
-const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, NULL, NULL};
+
+const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec,
+                                                            &mip_gnss_receiver_reset_exchange};
 
 static const uint8_t program_rtk_config[] = {
     MIP_REQUIRED(1, 2),
@@ -120,18 +125,17 @@ const struct mip_codec mip_gnss_rtk_config_codec = {
     0x0E, 0x04,  MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
     0,    false, program_rtk_config, &mip_program};
 
-static bool asked_rtk_config_1(const void *value) {
-    const struct mip_gnss_rtk_config *v = (const struct mip_gnss_rtk_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_rtk_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_rtk_config[] = {
-    {&mip_gnss_rtk_config_response_codec, asked_rtk_config_1},
-    {NULL, NULL},
+    {asked_rtk_config_1, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec, NULL,
-                                                        responses_rtk_config, 0};
+const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E, 0x04, 0, NULL,
+                                                          responses_rtk_config};
+
+const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
+                                                        &mip_gnss_rtk_config_exchange};
 
 static const uint8_t program_rtk_config_response[] = {
     MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
@@ -169,18 +173,18 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     program_rtk_dongle_config,
     &mip_program};
 
-static bool asked_rtk_dongle_config_1(const void *value) {
-    const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_rtk_dongle_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_rtk_dongle_config[] = {
-    {&mip_gnss_rtk_dongle_config_response_codec, asked_rtk_dongle_config_1},
-    {NULL, NULL},
+    {asked_rtk_dongle_config_1, NULL, 0x90},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {0x0E, 0x10, 0, NULL,
+                                                                 responses_rtk_dongle_config};
+
 const struct mip_command mip_gnss_rtk_dongle_config_command = {
-    &mip_gnss_rtk_dongle_config_codec, NULL, responses_rtk_dongle_config, 0};
+    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange};
 
 static const uint8_t program_rtk_dongle_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_dongle_config_response, enable)),
@@ -224,18 +228,18 @@ const struct mip_codec mip_gnss_spartn_config_codec = {
     0x0E, 0x20,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
     0,    false, program_spartn_config, &mip_program};
 
-static bool asked_spartn_config_1(const void *value) {
-    const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_spartn_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_spartn_config[] = {
-    {&mip_gnss_spartn_config_response_codec, asked_spartn_config_1},
-    {NULL, NULL},
+    {asked_spartn_config_1, NULL, 0xA0},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec, NULL,
-                                                           responses_spartn_config, 0};
+const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E, 0x20, 0, NULL,
+                                                             responses_spartn_config};
+
+const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
+                                                           &mip_gnss_spartn_config_exchange};
 
 static const uint8_t program_spartn_config_response[] = {
     MIP_FAR,

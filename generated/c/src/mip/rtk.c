@@ -18,12 +18,15 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
                                                          NULL};
 
 static const struct mip_response responses_get_status_flags[] = {
-    {&mip_rtk_get_status_flags_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec, NULL,
-                                                             responses_get_status_flags, 0};
+const struct mip_exchange mip_rtk_get_status_flags_exchange = {0x0F, 0x01, 0, NULL,
+                                                               responses_get_status_flags};
+
+const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec,
+                                                             &mip_rtk_get_status_flags_exchange};
 
 static const uint8_t program_get_status_flags_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_rtk_get_status_flags_response, flags)),
@@ -49,12 +52,14 @@ const struct mip_codec mip_rtk_get_imei_codec = {
     0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, false, program_get_imei, NULL};
 
 static const struct mip_response responses_get_imei[] = {
-    {&mip_rtk_get_imei_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec, NULL,
-                                                     responses_get_imei, 0};
+const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F, 0x02, 0, NULL, responses_get_imei};
+
+const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec,
+                                                     &mip_rtk_get_imei_exchange};
 
 static const uint8_t program_get_imei_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_imei_response, imei))),
@@ -79,12 +84,14 @@ const struct mip_codec mip_rtk_get_imsi_codec = {
     0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, false, program_get_imsi, NULL};
 
 static const struct mip_response responses_get_imsi[] = {
-    {&mip_rtk_get_imsi_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x83},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec, NULL,
-                                                     responses_get_imsi, 0};
+const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F, 0x03, 0, NULL, responses_get_imsi};
+
+const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec,
+                                                     &mip_rtk_get_imsi_exchange};
 
 static const uint8_t program_get_imsi_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_imsi_response, imsi))),
@@ -110,12 +117,14 @@ const struct mip_codec mip_rtk_get_iccid_codec = {
     0,    false, program_get_iccid, NULL};
 
 static const struct mip_response responses_get_iccid[] = {
-    {&mip_rtk_get_iccid_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec, NULL,
-                                                      responses_get_iccid, 0};
+const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F, 0x04, 0, NULL, responses_get_iccid};
+
+const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec,
+                                                      &mip_rtk_get_iccid_exchange};
 
 static const uint8_t program_get_iccid_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_iccid_response, iccid))),
@@ -141,12 +150,14 @@ const struct mip_codec mip_rtk_get_rssi_codec = {
     0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, false, program_get_rssi, NULL};
 
 static const struct mip_response responses_get_rssi[] = {
-    {&mip_rtk_get_rssi_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x85},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec, NULL,
-                                                     responses_get_rssi, 0};
+const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F, 0x05, 0, NULL, responses_get_rssi};
+
+const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec,
+                                                     &mip_rtk_get_rssi_exchange};
 
 static const uint8_t program_get_rssi_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_get_rssi_response, valid)),
@@ -182,19 +193,18 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     program_connected_device_type,
     &mip_program};
 
-static bool asked_connected_device_type_1(const void *value) {
-    const struct mip_rtk_connected_device_type *v =
-        (const struct mip_rtk_connected_device_type *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_connected_device_type_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_connected_device_type[] = {
-    {&mip_rtk_connected_device_type_response_codec, asked_connected_device_type_1},
-    {NULL, NULL},
+    {asked_connected_device_type_1, NULL, 0x86},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_connected_device_type_exchange = {
+    0x0F, 0x06, 0, NULL, responses_connected_device_type};
+
 const struct mip_command mip_rtk_connected_device_type_command = {
-    &mip_rtk_connected_device_type_codec, NULL, responses_connected_device_type, 0};
+    &mip_rtk_connected_device_type_codec, &mip_rtk_connected_device_type_exchange};
 
 static const uint8_t program_connected_device_type_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_connected_device_type_response, device_type)),
@@ -228,12 +238,15 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     NULL};
 
 static const struct mip_response responses_get_activation_code[] = {
-    {&mip_rtk_get_activation_code_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x87},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_get_activation_code_exchange = {0x0F, 0x07, 0, NULL,
+                                                                  responses_get_activation_code};
+
 const struct mip_command mip_rtk_get_activation_code_command = {
-    &mip_rtk_get_activation_code_codec, NULL, responses_get_activation_code, 0};
+    &mip_rtk_get_activation_code_codec, &mip_rtk_get_activation_code_exchange};
 
 static const uint8_t program_get_activation_code_response[] = {
     MIP_8_BITS(0,
@@ -268,12 +281,15 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     NULL};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
-    {&mip_rtk_get_modem_firmware_version_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange = {
+    0x0F, 0x08, 0, NULL, responses_get_modem_firmware_version};
+
 const struct mip_command mip_rtk_get_modem_firmware_version_command = {
-    &mip_rtk_get_modem_firmware_version_codec, NULL, responses_get_modem_firmware_version, 0};
+    &mip_rtk_get_modem_firmware_version_codec, &mip_rtk_get_modem_firmware_version_exchange};
 
 static const uint8_t program_get_modem_firmware_version_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_modem_firmware_version_response,
@@ -308,12 +324,15 @@ const struct mip_codec mip_rtk_service_status_codec = {0x0F,
                                                        NULL};
 
 static const struct mip_response responses_service_status[] = {
-    {&mip_rtk_service_status_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8A},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec, NULL,
-                                                           responses_service_status, 0};
+const struct mip_exchange mip_rtk_service_status_exchange = {0x0F, 0x0A, 0, NULL,
+                                                             responses_service_status};
+
+const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec,
+                                                           &mip_rtk_service_status_exchange};
 
 static const uint8_t program_service_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_service_status_response, flags)),
@@ -348,8 +367,10 @@ const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
                                                       program_erase_storage,
                                                       NULL};
 
-const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec, NULL, NULL,
-                                                          0};
+const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, NULL, NULL};
+
+const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec,
+                                                          &mip_rtk_erase_storage_exchange};
 
 static const uint8_t program_led_control[] = {
     MIP_8_BITS(7, MIP_AT(struct mip_rtk_led_control, primary_color)),
@@ -361,7 +382,10 @@ const struct mip_codec mip_rtk_led_control_codec = {
     0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
     0,    false, program_led_control, NULL};
 
-const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec, NULL, NULL, 0};
+const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, NULL, NULL};
+
+const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec,
+                                                        &mip_rtk_led_control_exchange};
 
 static const uint8_t program_modem_hard_reset[] = {
     MIP_END,
@@ -377,5 +401,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          program_modem_hard_reset,
                                                          NULL};
 
-const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, NULL, NULL};
+
+const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec,
+                                                             &mip_rtk_modem_hard_reset_exchange};
