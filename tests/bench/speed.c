@@ -155,9 +155,9 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
 }
 
 #define ENCODE(encode)                                       \
-    (void)mip_sensor_scaled_accel##encode(&accel, &builder); \
-    (void)mip_sensor_scaled_gyro##encode(&gyro, &builder);   \
-    (void)mip_shared_reference_timestamp##encode(&stamp, &builder)
+    built += mip_sensor_scaled_accel##encode(&accel, &builder) == MIP_OK && \
+             mip_sensor_scaled_gyro##encode(&gyro, &builder) == MIP_OK &&   \
+             mip_shared_reference_timestamp##encode(&stamp, &builder) == MIP_OK
 
 #define BUILD(encode)                                              \
     size_t built = 0;                                              \
@@ -172,7 +172,7 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
         memcpy(&stamp, data + at + 24, 8);                         \
         mip_builder_start(&builder, packet, sizeof(packet), 0x80); \
         ENCODE(encode);                                            \
-        built += mip_builder_finish(&builder).size;                \
+        built += mip_builder_finish(&builder).size - 1;            \
         use(packet);                                               \
     }                                                              \
     return built

@@ -602,6 +602,23 @@ def symbols(program: Path) -> set[str]:
     return {line.split()[-1] for line in run(need("nm"), "--defined-only", program).splitlines()}
 
 
+def test_the_compiler_sees_an_unchecked_addition(tmp_path: Path) -> None:
+    """What does not fit is refused and the packet stays valid: who looks at nothing would send less than meant."""
+    program = tmp_path / "unchecked.c"
+    for statement, good in (
+        ("return mip_tools_ping_encode(NULL, b) == MIP_OK;", True),
+        ("mip_tools_ping_encode(NULL, b); return b->error == MIP_OK;", False),
+        ("mip_encode(&mip_tools_ping_codec, NULL, b); return true;", False),
+        ("mip_builder_add(b, 1, NULL, 0); return true;", False),
+    ):
+        program.write_text(
+            f'#include "mip/tools.h"\nbool f(struct mip_builder *b);\nbool f(struct mip_builder *b) {{ {statement} }}\n'
+        )
+        command = [need("cc"), *WARNINGS, include("invented"), "-c", str(program), "-o", str(tmp_path / "o")]
+        done = subprocess.run(command, capture_output=True)
+        assert (done.returncode == 0) == good, statement
+
+
 def test_a_small_program_stays_small(tmp_path: Path) -> None:
     program, archive = tmp_path / "small", library(tmp_path, "-ffunction-sections", "-fdata-sections")
     command = [need("cc"), "-std=c99", "-Os", include("real"), HERE / "unit/small.c", archive, "-o", program]

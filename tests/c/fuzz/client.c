@@ -239,7 +239,8 @@ static void answer(struct input *in, size_t piece) {
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), s->set) == MIP_OK);
         CHECK(mip_builder_add(&b, 0xF1, acknowledge, sizeof(acknowledge)) == MIP_OK);
         if (response != NULL) {
-            (void)mip_builder_add(&b, response->descriptor, data, size);
+            const mip_error error = mip_builder_add(&b, response->descriptor, data, size);
+            CHECK(error == b.error);
         }
         arrive_packet(&b, piece);
     }

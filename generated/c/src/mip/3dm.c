@@ -20,8 +20,8 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
 
 static const uint8_t silent_poll_imu_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_exchange mip_3dm_poll_imu_data_exchange = {0x0C, 0x01, 0, silent_poll_imu_data,
-                                                            NULL};
+const struct mip_exchange mip_3dm_poll_imu_data_exchange = {
+    0x0C, 0x01, 0, false, silent_poll_imu_data, NULL};
 
 const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
                                                           &mip_3dm_poll_imu_data_exchange};
@@ -49,8 +49,8 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
 
 static const uint8_t silent_poll_gnss_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {0x0C, 0x02, 0, silent_poll_gnss_data,
-                                                             NULL};
+const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {
+    0x0C, 0x02, 0, false, silent_poll_gnss_data, NULL};
 
 const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
                                                            &mip_3dm_poll_gnss_data_exchange};
@@ -78,8 +78,8 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
 
 static const uint8_t silent_poll_filter_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_exchange mip_3dm_poll_filter_data_exchange = {0x0C, 0x03, 0,
-                                                               silent_poll_filter_data, NULL};
+const struct mip_exchange mip_3dm_poll_filter_data_exchange = {
+    0x0C, 0x03, 0, false, silent_poll_filter_data, NULL};
 
 const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
                                                              &mip_3dm_poll_filter_data_exchange};
@@ -107,8 +107,8 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
 
 static const uint8_t silent_poll_nmea_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {0x0C, 0x04, 0, silent_poll_nmea_data,
-                                                             NULL};
+const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {
+    0x0C, 0x04, 0, false, silent_poll_nmea_data, NULL};
 
 const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
                                                            &mip_3dm_poll_nmea_data_exchange};
@@ -132,8 +132,8 @@ static const struct mip_response responses_get_imu_base_rate[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {0x0C, 0x06, 0, NULL,
-                                                                responses_get_imu_base_rate};
+const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {
+    0x0C, 0x06, 0, false, NULL, responses_get_imu_base_rate};
 
 const struct mip_command mip_3dm_get_imu_base_rate_command = {&mip_3dm_get_imu_base_rate_codec,
                                                               &mip_3dm_get_imu_base_rate_exchange};
@@ -174,8 +174,8 @@ static const struct mip_response responses_get_gnss_base_rate[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {0x0C, 0x07, 0, NULL,
-                                                                 responses_get_gnss_base_rate};
+const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {
+    0x0C, 0x07, 0, false, NULL, responses_get_gnss_base_rate};
 
 const struct mip_command mip_3dm_get_gnss_base_rate_command = {
     &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange};
@@ -228,8 +228,8 @@ static const struct mip_response responses_imu_message_format[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_imu_message_format_exchange = {0x0C, 0x08, 0, NULL,
-                                                                 responses_imu_message_format};
+const struct mip_exchange mip_3dm_imu_message_format_exchange = {
+    0x0C, 0x08, 0, true, NULL, responses_imu_message_format};
 
 const struct mip_command mip_3dm_imu_message_format_command = {
     &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange};
@@ -289,8 +289,8 @@ static const struct mip_response responses_gnss_message_format[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gnss_message_format_exchange = {0x0C, 0x09, 0, NULL,
-                                                                  responses_gnss_message_format};
+const struct mip_exchange mip_3dm_gnss_message_format_exchange = {
+    0x0C, 0x09, 0, true, NULL, responses_gnss_message_format};
 
 const struct mip_command mip_3dm_gnss_message_format_command = {
     &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange};
@@ -351,7 +351,7 @@ static const struct mip_response responses_filter_message_format[] = {
 };
 
 const struct mip_exchange mip_3dm_filter_message_format_exchange = {
-    0x0C, 0x0A, 0, NULL, responses_filter_message_format};
+    0x0C, 0x0A, 0, true, NULL, responses_filter_message_format};
 
 const struct mip_command mip_3dm_filter_message_format_command = {
     &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange};
@@ -399,8 +399,8 @@ static const struct mip_response responses_get_filter_base_rate[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {0x0C, 0x0B, 0, NULL,
-                                                                   responses_get_filter_base_rate};
+const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {
+    0x0C, 0x0B, 0, false, NULL, responses_get_filter_base_rate};
 
 const struct mip_command mip_3dm_get_filter_base_rate_command = {
     &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange};
@@ -453,8 +453,8 @@ static const struct mip_response responses_nmea_message_format[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_nmea_message_format_exchange = {0x0C, 0x0C, 0, NULL,
-                                                                  responses_nmea_message_format};
+const struct mip_exchange mip_3dm_nmea_message_format_exchange = {
+    0x0C, 0x0C, 0, true, NULL, responses_nmea_message_format};
 
 const struct mip_command mip_3dm_nmea_message_format_command = {
     &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange};
@@ -496,7 +496,8 @@ const struct mip_codec mip_3dm_poll_data_codec = {
 
 static const uint8_t silent_poll_data[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
 
-const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C, 0x0D, 0, silent_poll_data, NULL};
+const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C, 0x0D, 0, false, silent_poll_data,
+                                                        NULL};
 
 const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec,
                                                       &mip_3dm_poll_data_exchange};
@@ -521,8 +522,8 @@ static const struct mip_response responses_get_base_rate[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C, 0x0E, 0, NULL,
-                                                            responses_get_base_rate};
+const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C,  0x0E, 0,
+                                                            false, NULL, responses_get_base_rate};
 
 const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec,
                                                           &mip_3dm_get_base_rate_exchange};
@@ -576,8 +577,8 @@ static const struct mip_response responses_message_format[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_message_format_exchange = {0x0C, 0x0F, 0, NULL,
-                                                             responses_message_format};
+const struct mip_exchange mip_3dm_message_format_exchange = {0x0C, 0x0F, 0,
+                                                             true, NULL, responses_message_format};
 
 const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec,
                                                            &mip_3dm_message_format_exchange};
@@ -621,7 +622,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     program_factory_streaming,
     NULL};
 
-const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, NULL, NULL};
+const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, NULL, NULL};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
                                                               &mip_3dm_factory_streaming_exchange};
@@ -653,8 +654,8 @@ static const struct mip_response responses_data_stream_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_data_stream_control_exchange = {0x0C, 0x11, 0, NULL,
-                                                                  responses_data_stream_control};
+const struct mip_exchange mip_3dm_data_stream_control_exchange = {
+    0x0C, 0x11, 0, true, NULL, responses_data_stream_control};
 
 const struct mip_command mip_3dm_data_stream_control_command = {
     &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange};
@@ -692,7 +693,8 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     program_raw_rtcm_2_3_message,
     &mip_program};
 
-const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C, 0x20, 0, NULL, NULL};
+const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C,  0x20, 0,
+                                                                   false, NULL, NULL};
 
 const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
     &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange};
@@ -732,7 +734,7 @@ static const struct mip_response responses_constellation_settings[] = {
 };
 
 const struct mip_exchange mip_3dm_constellation_settings_exchange = {
-    0x0C, 0x21, 0, NULL, responses_constellation_settings};
+    0x0C, 0x21, 0, true, NULL, responses_constellation_settings};
 
 const struct mip_command mip_3dm_constellation_settings_command = {
     &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange};
@@ -793,8 +795,8 @@ static const struct mip_response responses_gnss_sbas_settings[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {0x0C, 0x22, 0, NULL,
-                                                                 responses_gnss_sbas_settings};
+const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {
+    0x0C, 0x22, 0, true, NULL, responses_gnss_sbas_settings};
 
 const struct mip_command mip_3dm_gnss_sbas_settings_command = {
     &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange};
@@ -825,6 +827,7 @@ static const uint8_t program_gnss_assisted_fix[] = {
     MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, option)),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, flags)),
     MIP_END,
 };
@@ -846,8 +849,8 @@ static const struct mip_response responses_gnss_assisted_fix[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {0x0C, 0x23, 0, NULL,
-                                                                responses_gnss_assisted_fix};
+const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {
+    0x0C, 0x23, 0, true, NULL, responses_gnss_assisted_fix};
 
 const struct mip_command mip_3dm_gnss_assisted_fix_command = {&mip_3dm_gnss_assisted_fix_codec,
                                                               &mip_3dm_gnss_assisted_fix_exchange};
@@ -897,8 +900,8 @@ static const struct mip_response responses_gnss_time_assistance[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {0x0C, 0x24, 0, NULL,
-                                                                   responses_gnss_time_assistance};
+const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {
+    0x0C, 0x24, 0, true, NULL, responses_gnss_time_assistance};
 
 const struct mip_command mip_3dm_gnss_time_assistance_command = {
     &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange};
@@ -946,8 +949,8 @@ static const struct mip_response responses_pps_source_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_pps_source_control_exchange = {0x0C, 0x28, 0, NULL,
-                                                                 responses_pps_source_control};
+const struct mip_exchange mip_3dm_pps_source_control_exchange = {
+    0x0C, 0x28, 0, true, NULL, responses_pps_source_control};
 
 const struct mip_command mip_3dm_pps_source_control_command = {
     &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange};
@@ -989,8 +992,8 @@ static const struct mip_response responses_get_event_support[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_get_event_support_exchange = {0x0C, 0x2A, 0, NULL,
-                                                                responses_get_event_support};
+const struct mip_exchange mip_3dm_get_event_support_exchange = {
+    0x0C, 0x2A, 0, false, NULL, responses_get_event_support};
 
 const struct mip_command mip_3dm_get_event_support_command = {&mip_3dm_get_event_support_codec,
                                                               &mip_3dm_get_event_support_exchange};
@@ -1037,8 +1040,8 @@ static const struct mip_response responses_event_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_event_control_exchange = {0x0C, 0x2B, 0, NULL,
-                                                            responses_event_control};
+const struct mip_exchange mip_3dm_event_control_exchange = {0x0C, 0x2B, 0,
+                                                            true, NULL, responses_event_control};
 
 const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec,
                                                           &mip_3dm_event_control_exchange};
@@ -1084,7 +1087,7 @@ static const struct mip_response responses_get_event_trigger_status[] = {
 };
 
 const struct mip_exchange mip_3dm_get_event_trigger_status_exchange = {
-    0x0C, 0x2C, 0, NULL, responses_get_event_trigger_status};
+    0x0C, 0x2C, 0, false, NULL, responses_get_event_trigger_status};
 
 const struct mip_command mip_3dm_get_event_trigger_status_command = {
     &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange};
@@ -1136,7 +1139,7 @@ static const struct mip_response responses_get_event_action_status[] = {
 };
 
 const struct mip_exchange mip_3dm_get_event_action_status_exchange = {
-    0x0C, 0x2D, 0, NULL, responses_get_event_action_status};
+    0x0C, 0x2D, 0, false, NULL, responses_get_event_action_status};
 
 const struct mip_command mip_3dm_get_event_action_status_command = {
     &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange};
@@ -1212,8 +1215,8 @@ static const struct mip_response responses_event_trigger_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_event_trigger_config_exchange = {0x0C, 0x2E, 0, NULL,
-                                                                   responses_event_trigger_config};
+const struct mip_exchange mip_3dm_event_trigger_config_exchange = {
+    0x0C, 0x2E, 0, true, NULL, responses_event_trigger_config};
 
 const struct mip_command mip_3dm_event_trigger_config_command = {
     &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange};
@@ -1300,8 +1303,8 @@ static const struct mip_response responses_event_action_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_event_action_config_exchange = {0x0C, 0x2F, 0, NULL,
-                                                                  responses_event_action_config};
+const struct mip_exchange mip_3dm_event_action_config_exchange = {
+    0x0C, 0x2F, 0, true, NULL, responses_event_action_config};
 
 const struct mip_command mip_3dm_event_action_config_command = {
     &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange};
@@ -1354,7 +1357,7 @@ const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
                                                         program_device_settings,
                                                         NULL};
 
-const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, NULL, NULL};
+const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, true, NULL, NULL};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec,
                                                             &mip_3dm_device_settings_exchange};
@@ -1389,7 +1392,7 @@ static const struct mip_response responses_sensor_to_vehicle_euler[] = {
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange = {
-    0x0C, 0x31, 0, NULL, responses_sensor_to_vehicle_euler};
+    0x0C, 0x31, 0, true, NULL, responses_sensor_to_vehicle_euler};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_euler_command = {
     &mip_3dm_sensor_to_vehicle_euler_codec, &mip_3dm_sensor_to_vehicle_euler_exchange};
@@ -1436,7 +1439,7 @@ static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange = {
-    0x0C, 0x32, 0, NULL, responses_sensor_to_vehicle_quaternion};
+    0x0C, 0x32, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command = {
     &mip_3dm_sensor_to_vehicle_quaternion_codec, &mip_3dm_sensor_to_vehicle_quaternion_exchange};
@@ -1483,7 +1486,7 @@ static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
 };
 
 const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange = {
-    0x0C, 0x33, 0, NULL, responses_sensor_to_vehicle_dcm};
+    0x0C, 0x33, 0, true, NULL, responses_sensor_to_vehicle_dcm};
 
 const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command = {
     &mip_3dm_sensor_to_vehicle_dcm_codec, &mip_3dm_sensor_to_vehicle_dcm_exchange};
@@ -1528,8 +1531,8 @@ static const struct mip_response responses_gps_dynamics_mode[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {0x0C, 0x34, 0, NULL,
-                                                                responses_gps_dynamics_mode};
+const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {
+    0x0C, 0x34, 0, true, NULL, responses_gps_dynamics_mode};
 
 const struct mip_command mip_3dm_gps_dynamics_mode_command = {&mip_3dm_gps_dynamics_mode_codec,
                                                               &mip_3dm_gps_dynamics_mode_exchange};
@@ -1590,7 +1593,7 @@ static const struct mip_response responses_imu_signal_conditioning[] = {
 };
 
 const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange = {
-    0x0C, 0x35, 0, NULL, responses_imu_signal_conditioning};
+    0x0C, 0x35, 0, true, NULL, responses_imu_signal_conditioning};
 
 const struct mip_command mip_3dm_imu_signal_conditioning_command = {
     &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange};
@@ -1635,8 +1638,8 @@ static const struct mip_response responses_imu_timestamp[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C, 0x36, 0, NULL,
-                                                            responses_imu_timestamp};
+const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C, 0x36, 0,
+                                                            true, NULL, responses_imu_timestamp};
 
 const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec,
                                                           &mip_3dm_imu_timestamp_exchange};
@@ -1676,8 +1679,8 @@ static const struct mip_response responses_accel_bias[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_accel_bias_exchange = {0x0C, 0x37, 0, silent_accel_bias,
-                                                         responses_accel_bias};
+const struct mip_exchange mip_3dm_accel_bias_exchange = {
+    0x0C, 0x37, 0, true, silent_accel_bias, responses_accel_bias};
 
 const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec,
                                                        &mip_3dm_accel_bias_exchange};
@@ -1716,8 +1719,8 @@ static const struct mip_response responses_gyro_bias[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gyro_bias_exchange = {0x0C, 0x38, 0, silent_gyro_bias,
-                                                        responses_gyro_bias};
+const struct mip_exchange mip_3dm_gyro_bias_exchange = {
+    0x0C, 0x38, 0, true, silent_gyro_bias, responses_gyro_bias};
 
 const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec,
                                                       &mip_3dm_gyro_bias_exchange};
@@ -1759,8 +1762,8 @@ static const struct mip_response responses_capture_gyro_bias[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {0x0C, 0x39, 31000, NULL,
-                                                                responses_capture_gyro_bias};
+const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {
+    0x0C, 0x39, 31000, false, NULL, responses_capture_gyro_bias};
 
 const struct mip_command mip_3dm_capture_gyro_bias_command = {&mip_3dm_capture_gyro_bias_codec,
                                                               &mip_3dm_capture_gyro_bias_exchange};
@@ -1793,7 +1796,7 @@ static const struct mip_response responses_mag_hard_iron_offset[] = {
 };
 
 const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange = {
-    0x0C, 0x3A, 0, silent_mag_hard_iron_offset, responses_mag_hard_iron_offset};
+    0x0C, 0x3A, 0, true, silent_mag_hard_iron_offset, responses_mag_hard_iron_offset};
 
 const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
     &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange};
@@ -1842,7 +1845,7 @@ static const struct mip_response responses_mag_soft_iron_matrix[] = {
 };
 
 const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange = {
-    0x0C, 0x3B, 0, silent_mag_soft_iron_matrix, responses_mag_soft_iron_matrix};
+    0x0C, 0x3B, 0, true, silent_mag_soft_iron_matrix, responses_mag_soft_iron_matrix};
 
 const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
     &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange};
@@ -1889,7 +1892,7 @@ static const struct mip_response responses_coning_sculling_enable[] = {
 };
 
 const struct mip_exchange mip_3dm_coning_sculling_enable_exchange = {
-    0x0C, 0x3E, 0, NULL, responses_coning_sculling_enable};
+    0x0C, 0x3E, 0, true, NULL, responses_coning_sculling_enable};
 
 const struct mip_command mip_3dm_coning_sculling_enable_command = {
     &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange};
@@ -1934,8 +1937,8 @@ static const struct mip_response responses_uart_baud_rate[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {0x0C, 0x40, 0, NULL,
-                                                             responses_uart_baud_rate};
+const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {0x0C, 0x40, 0,
+                                                             true, NULL, responses_uart_baud_rate};
 
 const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec,
                                                            &mip_3dm_uart_baud_rate_exchange};
@@ -1980,8 +1983,8 @@ static const struct mip_response responses_gpio_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C, 0x41, 0, NULL,
-                                                          responses_gpio_config};
+const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C, 0x41, 0,
+                                                          true, NULL, responses_gpio_config};
 
 const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec,
                                                         &mip_3dm_gpio_config_exchange};
@@ -2021,7 +2024,8 @@ static const struct mip_response responses_gpio_state[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C, 0x42, 0, NULL, responses_gpio_state};
+const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C, 0x42, 0,
+                                                         true, NULL, responses_gpio_state};
 
 const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec,
                                                        &mip_3dm_gpio_state_exchange};
@@ -2070,8 +2074,8 @@ static const struct mip_response responses_odometer_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_odometer_config_exchange = {0x0C, 0x43, 0, NULL,
-                                                              responses_odometer_config};
+const struct mip_exchange mip_3dm_odometer_config_exchange = {
+    0x0C, 0x43, 0, true, NULL, responses_odometer_config};
 
 const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec,
                                                             &mip_3dm_odometer_config_exchange};
@@ -2126,8 +2130,8 @@ static const struct mip_response responses_imu_low_pass_filter[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {0x0C, 0x50, 0, NULL,
-                                                                  responses_imu_low_pass_filter};
+const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {
+    0x0C, 0x50, 0, true, NULL, responses_imu_low_pass_filter};
 
 const struct mip_command mip_3dm_imu_low_pass_filter_command = {
     &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange};
@@ -2181,8 +2185,8 @@ static const struct mip_response responses_complementary_filter[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_complementary_filter_exchange = {0x0C, 0x51, 0, NULL,
-                                                                   responses_complementary_filter};
+const struct mip_exchange mip_3dm_complementary_filter_exchange = {
+    0x0C, 0x51, 0, true, NULL, responses_complementary_filter};
 
 const struct mip_command mip_3dm_complementary_filter_command = {
     &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange};
@@ -2224,8 +2228,8 @@ static const struct mip_response responses_sensor_range[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C, 0x52, 0, NULL,
-                                                           responses_sensor_range};
+const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C, 0x52, 0,
+                                                           true, NULL, responses_sensor_range};
 
 const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec,
                                                          &mip_3dm_sensor_range_exchange};
@@ -2268,7 +2272,7 @@ static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
 };
 
 const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange = {
-    0x0C, 0x53, 0, NULL, responses_get_calibrated_sensor_ranges};
+    0x0C, 0x53, 0, false, NULL, responses_get_calibrated_sensor_ranges};
 
 const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
     &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange};
@@ -2328,8 +2332,8 @@ static const struct mip_response responses_low_pass_filter[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_low_pass_filter_exchange = {0x0C, 0x54, 0, NULL,
-                                                              responses_low_pass_filter};
+const struct mip_exchange mip_3dm_low_pass_filter_exchange = {
+    0x0C, 0x54, 0, true, NULL, responses_low_pass_filter};
 
 const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec,
                                                             &mip_3dm_low_pass_filter_exchange};
@@ -2378,8 +2382,8 @@ static const struct mip_response responses_data_stream_format[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_data_stream_format_exchange = {0x0C, 0x60, 0, NULL,
-                                                                 responses_data_stream_format};
+const struct mip_exchange mip_3dm_data_stream_format_exchange = {
+    0x0C, 0x60, 0, true, NULL, responses_data_stream_format};
 
 const struct mip_command mip_3dm_data_stream_format_command = {
     &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange};
@@ -2427,8 +2431,8 @@ static const struct mip_response responses_device_power_state[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_device_power_state_exchange = {0x0C, 0x61, 5000, NULL,
-                                                                 responses_device_power_state};
+const struct mip_exchange mip_3dm_device_power_state_exchange = {
+    0x0C, 0x61, 5000, true, NULL, responses_device_power_state};
 
 const struct mip_command mip_3dm_device_power_state_command = {
     &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange};
@@ -2465,7 +2469,8 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     program_gps_advanced_settings,
     NULL};
 
-const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0, NULL, NULL};
+const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0,
+                                                                    true, NULL, NULL};
 
 const struct mip_command mip_3dm_gps_advanced_settings_command = {
     &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange};
@@ -2500,8 +2505,8 @@ static const struct mip_response responses_device_status[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_3dm_device_status_exchange = {0x0C, 0x64, 0, NULL,
-                                                            responses_device_status};
+const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,  0x64, 0,
+                                                            false, NULL, responses_device_status};
 
 const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
                                                           &mip_3dm_device_status_exchange};

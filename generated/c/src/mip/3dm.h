@@ -459,8 +459,8 @@ static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_dat
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
+    const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
 }
 /**
@@ -527,8 +527,8 @@ static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_d
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
+    const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
 }
 /**
@@ -593,7 +593,7 @@ static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filt
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_filter_data_encode(
+MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
 }
@@ -658,8 +658,8 @@ static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_d
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
+    const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
 }
 /**
@@ -712,7 +712,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_imu_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
@@ -748,7 +748,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
 }
@@ -768,7 +768,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x83, 2, &data);
@@ -812,7 +812,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gns
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_gnss_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
@@ -849,7 +849,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
 }
@@ -869,7 +869,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x84, 2, &data);
@@ -927,7 +927,7 @@ static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_mes
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
 }
@@ -1009,7 +1009,7 @@ static inline mip_error mip_3dm_imu_message_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
@@ -1061,7 +1061,7 @@ static inline mip_error mip_3dm_gnss_message_format_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
 }
@@ -1145,7 +1145,7 @@ static inline mip_error mip_3dm_gnss_message_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
@@ -1199,7 +1199,7 @@ static inline mip_error mip_3dm_filter_message_format_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_filter_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
 }
@@ -1282,7 +1282,7 @@ static inline mip_error mip_3dm_filter_message_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_filter_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encode(
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
@@ -1319,7 +1319,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_filter_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
@@ -1355,7 +1355,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
 }
@@ -1375,7 +1375,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8A, 2, &data);
@@ -1434,7 +1434,7 @@ static inline mip_error mip_3dm_nmea_message_format_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_nmea_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
 }
@@ -1515,7 +1515,7 @@ static inline mip_error mip_3dm_nmea_message_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_nmea_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
@@ -1566,8 +1566,8 @@ static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
 }
 /**
@@ -1623,8 +1623,8 @@ static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rat
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
+    const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
 }
 
@@ -1643,7 +1643,7 @@ static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_b
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_base_rate_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode_inline(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x0E, 1, &data);
@@ -1697,7 +1697,7 @@ static inline mip_error mip_3dm_get_base_rate_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
 }
@@ -1718,7 +1718,7 @@ static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8E, 3, &data);
@@ -1779,8 +1779,8 @@ static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_for
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
+    const struct mip_3dm_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
 }
 /**
@@ -1884,7 +1884,7 @@ static inline mip_error mip_3dm_message_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
@@ -1922,7 +1922,7 @@ static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_factory_streaming_encode(
+MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
 }
@@ -1943,7 +1943,7 @@ static inline mip_error mip_3dm_factory_streaming_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_factory_streaming_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode_inline(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 2, &data);
@@ -2024,7 +2024,7 @@ static inline mip_error mip_3dm_data_stream_control_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_control_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
 }
@@ -2165,7 +2165,7 @@ static inline mip_error mip_3dm_data_stream_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
 }
@@ -2186,7 +2186,7 @@ static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x85, 2, &data);
@@ -2237,20 +2237,20 @@ static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
+MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
     const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
 }
 /**
  * Raw RTCM 2.3 message. Fills the structure and returns its address.
  *
- * - data: Bytes of the RTCM stream.
+ * - data_: Bytes of the RTCM stream.
  */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
-    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data_count, const uint8_t data[]) {
+    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
-    command->data_count = data_count;
-    mip_copy(command->data, sizeof(command->data), data, data_count * sizeof(data[0]));
+    command->data_count = data__count;
+    mip_copy(command->data, sizeof(command->data), data_, data__count * sizeof(data_[0]));
     return command;
 }
 
@@ -2319,7 +2319,7 @@ static inline mip_error mip_3dm_constellation_settings_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_constellation_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
 }
@@ -2411,7 +2411,7 @@ static inline mip_error mip_3dm_constellation_settings_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_constellation_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_encode(
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
@@ -2469,7 +2469,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sb
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_sbas_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
 }
@@ -2561,7 +2561,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
@@ -2621,7 +2621,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_ass
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_assisted_fix_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
 }
@@ -2709,7 +2709,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
 }
@@ -2730,7 +2730,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA2, 2, &data);
@@ -2787,7 +2787,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_time_assistance_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
 }
@@ -2851,7 +2851,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
 }
@@ -2873,7 +2873,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA3, 14, &data);
@@ -2933,7 +2933,7 @@ static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_sou
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_pps_source_control_encode(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
 }
@@ -3011,7 +3011,7 @@ static inline mip_error mip_3dm_pps_source_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_pps_source_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
 }
@@ -3031,7 +3031,7 @@ static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA8, 1, &data);
@@ -3073,7 +3073,7 @@ static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_even
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_support_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
 }
@@ -3093,7 +3093,7 @@ static inline mip_error mip_3dm_get_event_support_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_event_support_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode_inline(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x2A, 1, &data);
@@ -3155,7 +3155,7 @@ static inline mip_error mip_3dm_get_event_support_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_support_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
@@ -3208,8 +3208,8 @@ static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_contro
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
+    const struct mip_3dm_event_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
 }
 /**
@@ -3311,7 +3311,7 @@ static inline mip_error mip_3dm_event_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
 }
@@ -3332,7 +3332,7 @@ static inline mip_error mip_3dm_event_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_event_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode_inline(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB5, 2, &data);
@@ -3381,7 +3381,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_trigger_status_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
 }
@@ -3434,7 +3434,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
@@ -3476,7 +3476,7 @@ static inline mip_error mip_3dm_get_event_action_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_action_status_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
 }
@@ -3529,7 +3529,7 @@ static inline mip_error mip_3dm_get_event_action_status_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_action_status_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
@@ -3603,7 +3603,7 @@ static inline mip_error mip_3dm_event_trigger_config_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_trigger_config_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
 }
@@ -3732,7 +3732,7 @@ static inline mip_error mip_3dm_event_trigger_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_trigger_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode(
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
@@ -3804,7 +3804,7 @@ static inline mip_error mip_3dm_event_action_config_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_action_config_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
 }
@@ -3929,7 +3929,7 @@ static inline mip_error mip_3dm_event_action_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_action_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
@@ -3972,8 +3972,8 @@ static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_set
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
+    const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_settings_codec, value, builder);
 }
 
@@ -3992,7 +3992,7 @@ static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_dev
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_settings_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x30, 1, &data);
@@ -4087,7 +4087,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
@@ -4174,7 +4174,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
     const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, builder);
 }
@@ -4196,7 +4196,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
@@ -4268,7 +4268,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
@@ -4352,7 +4352,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, builder);
@@ -4375,7 +4375,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -4447,7 +4447,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
@@ -4529,7 +4529,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
@@ -4551,7 +4551,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
@@ -4606,7 +4606,7 @@ static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dyna
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_dynamics_mode_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
     const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
 }
@@ -4683,7 +4683,7 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
 }
@@ -4703,7 +4703,7 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x92, 1, &data);
@@ -4791,7 +4791,7 @@ static inline mip_error mip_3dm_imu_signal_conditioning_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_signal_conditioning_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
     const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
 }
@@ -4910,7 +4910,7 @@ static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
 }
@@ -4937,7 +4937,7 @@ static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x86, 13, &data);
@@ -4998,8 +4998,8 @@ static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestam
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_timestamp_encode(const struct mip_3dm_imu_timestamp *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
+    const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
 }
 /**
@@ -5063,7 +5063,7 @@ static inline mip_error mip_3dm_imu_timestamp_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_timestamp_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
 }
@@ -5084,7 +5084,7 @@ static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x93, 5, &data);
@@ -5140,8 +5140,8 @@ static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
 }
 /**
@@ -5231,7 +5231,7 @@ static inline mip_error mip_3dm_accel_bias_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_accel_bias_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
 }
@@ -5253,7 +5253,7 @@ static inline mip_error mip_3dm_accel_bias_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_accel_bias_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9A, 12, &data);
@@ -5311,8 +5311,8 @@ static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
 }
 /**
@@ -5402,7 +5402,7 @@ static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bi
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gyro_bias_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
 }
@@ -5424,7 +5424,7 @@ static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9B, 12, &data);
@@ -5479,7 +5479,7 @@ static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_capture_gyro_bias_encode(
+MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
 }
@@ -5499,7 +5499,7 @@ static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x39, 2, &data);
@@ -5574,7 +5574,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
 }
@@ -5666,7 +5666,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
 }
@@ -5688,7 +5688,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9C, 12, &data);
@@ -5754,7 +5754,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
 }
@@ -5849,7 +5849,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
 }
@@ -5871,7 +5871,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9D, 36, &data);
@@ -5925,7 +5925,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_coning_sculling_enable_encode(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
 }
@@ -6001,7 +6001,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
 }
@@ -6021,7 +6021,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9E, 1, &data);
@@ -6082,8 +6082,8 @@ static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_r
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
+    const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
 }
 /**
@@ -6160,7 +6160,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_uart_baud_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
 }
@@ -6180,7 +6180,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x87, 4, &data);
@@ -6259,8 +6259,8 @@ static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
 }
 /**
@@ -6381,7 +6381,7 @@ static inline mip_error mip_3dm_gpio_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
 }
@@ -6404,7 +6404,7 @@ static inline mip_error mip_3dm_gpio_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gpio_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC1, 4, &data);
@@ -6469,8 +6469,8 @@ static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
 }
 /**
@@ -6531,7 +6531,7 @@ static inline mip_error mip_3dm_gpio_state_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_state_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
 }
@@ -6552,7 +6552,7 @@ static inline mip_error mip_3dm_gpio_state_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gpio_state_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC2, 2, &data);
@@ -6612,8 +6612,8 @@ static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_c
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
+    const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
 }
 /**
@@ -6702,7 +6702,7 @@ static inline mip_error mip_3dm_odometer_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_odometer_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
 }
@@ -6724,7 +6724,7 @@ static inline mip_error mip_3dm_odometer_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_odometer_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode_inline(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC3, 9, &data);
@@ -6803,7 +6803,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_low_pass_filter_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
 }
@@ -6935,7 +6935,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
 }
@@ -6959,7 +6959,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8B, 6, &data);
@@ -7043,7 +7043,7 @@ static inline mip_error mip_3dm_complementary_filter_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_complementary_filter_encode(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
 }
@@ -7140,7 +7140,7 @@ static inline mip_error mip_3dm_complementary_filter_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_complementary_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
 }
@@ -7163,7 +7163,7 @@ static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x97, 10, &data);
@@ -7221,8 +7221,8 @@ static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
 }
 /**
@@ -7320,7 +7320,7 @@ static inline mip_error mip_3dm_sensor_range_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_range_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
 }
@@ -7341,7 +7341,7 @@ static inline mip_error mip_3dm_sensor_range_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_range_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD2, 2, &data);
@@ -7386,7 +7386,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
 }
@@ -7406,7 +7406,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x53, 1, &data);
@@ -7470,7 +7470,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
@@ -7532,8 +7532,8 @@ static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_f
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
+    const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
 }
 /**
@@ -7655,7 +7655,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_low_pass_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
 }
@@ -7679,7 +7679,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD4, 8, &data);
@@ -7743,7 +7743,7 @@ static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_st
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
     const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
 }
@@ -7857,7 +7857,7 @@ static inline mip_error mip_3dm_data_stream_format_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
 }
@@ -7878,7 +7878,7 @@ static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x88, 2, &data);
@@ -7935,7 +7935,7 @@ static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_power_state_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
     const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
 }
@@ -8037,7 +8037,7 @@ static inline mip_error mip_3dm_device_power_state_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_power_state_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
 }
@@ -8058,7 +8058,7 @@ static inline mip_error mip_3dm_device_power_state_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_power_state_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_inline(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x89, 2, &data);
@@ -8108,7 +8108,7 @@ static inline mip_error mip_3dm_gps_advanced_settings_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_advanced_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
 }
@@ -8128,7 +8128,7 @@ static inline mip_error mip_3dm_gps_advanced_settings_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x62, 1, &data);
@@ -8208,8 +8208,8 @@ static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_statu
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
+    const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_codec, value, builder);
 }
 
@@ -8229,7 +8229,7 @@ static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_devic
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_encode_inline(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x64, 3, &data);
@@ -8305,7 +8305,7 @@ static inline mip_error mip_3dm_device_status_basic_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
@@ -8362,7 +8362,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
     const struct mip_3dm_device_status_basic_stateless_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
@@ -8441,7 +8441,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
@@ -8539,7 +8539,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
     const struct mip_3dm_device_status_diagnostic_gnss_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
@@ -8643,7 +8643,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
@@ -8747,7 +8747,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
@@ -8841,7 +8841,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx4_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
@@ -8935,7 +8935,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_imu_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);

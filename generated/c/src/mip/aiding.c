@@ -35,8 +35,8 @@ static const struct mip_response responses_frame_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_aiding_frame_config_exchange = {0x13, 0x01, 0, NULL,
-                                                              responses_frame_config};
+const struct mip_exchange mip_aiding_frame_config_exchange = {0x13, 0x01, 0,
+                                                              true, NULL, responses_frame_config};
 
 const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec,
                                                             &mip_aiding_frame_config_exchange};
@@ -83,8 +83,8 @@ static const struct mip_response responses_echo_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_aiding_echo_control_exchange = {0x13, 0x1F, 0, NULL,
-                                                              responses_echo_control};
+const struct mip_exchange mip_aiding_echo_control_exchange = {0x13, 0x1F, 0,
+                                                              true, NULL, responses_echo_control};
 
 const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec,
                                                             &mip_aiding_echo_control_exchange};
@@ -119,7 +119,7 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0x13, 0x21,  MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
     0,    false, program_ecef_position, NULL};
 
-const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec,
                                                              &mip_aiding_ecef_position_exchange};
@@ -138,7 +138,7 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     0x13, 0x22,  MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
     0,    false, program_llh_position, NULL};
 
-const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec,
                                                             &mip_aiding_llh_position_exchange};
@@ -163,7 +163,8 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     program_height_above_ellipsoid,
     NULL};
 
-const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13, 0x23, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13,  0x23, 0,
+                                                                        false, NULL, NULL};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
     &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange};
@@ -181,7 +182,7 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     0x13, 0x28,  MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
     0,    false, program_ecef_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec,
                                                              &mip_aiding_ecef_velocity_exchange};
@@ -199,7 +200,7 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0x13, 0x29,  MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
     0,    false, program_ned_velocity, NULL};
 
-const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec,
                                                             &mip_aiding_ned_velocity_exchange};
@@ -224,7 +225,8 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     program_body_frame_velocity,
     NULL};
 
-const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13, 0x2A, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13,  0x2A, 0,
+                                                                     false, NULL, NULL};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
     &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange};
@@ -242,7 +244,7 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0x13, 0x31,  MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
     0,    false, program_true_heading, NULL};
 
-const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec,
                                                             &mip_aiding_true_heading_exchange};
@@ -266,7 +268,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           program_magnetic_field,
                                                           NULL};
 
-const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
                                                               &mip_aiding_magnetic_field_exchange};
@@ -284,7 +286,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0x13, 0x33,  MIP_COMMAND,      21,  sizeof(struct mip_aiding_pressure),
     0,    false, program_pressure, NULL};
 
-const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, NULL, NULL};
+const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
                                                         &mip_aiding_pressure_exchange};

@@ -166,8 +166,8 @@ static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_c
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
+    const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
 }
 /**
@@ -302,7 +302,7 @@ static inline mip_error mip_aiding_frame_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_frame_config_response_encode(
+MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
 }
@@ -351,8 +351,8 @@ static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_co
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_echo_control *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
+    const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
 }
 /**
@@ -428,7 +428,7 @@ static inline mip_error mip_aiding_echo_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_echo_control_response_encode(
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
 }
@@ -448,7 +448,7 @@ static inline mip_error mip_aiding_echo_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_echo_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode_inline(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x9F, 1, &data);
@@ -513,7 +513,7 @@ static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_p
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
 }
@@ -543,7 +543,7 @@ static inline mip_error mip_aiding_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode_inline(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x21, 49, &data);
@@ -657,8 +657,8 @@ static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_pos
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
+    const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_llh_position_codec, value, builder);
 }
 
@@ -687,7 +687,7 @@ static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode_inline(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x22, 49, &data);
@@ -784,7 +784,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_height_above_ellipsoid_encode(
+MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
 }
@@ -810,7 +810,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x23, 21, &data);
@@ -905,7 +905,7 @@ static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
 }
@@ -935,7 +935,7 @@ static inline mip_error mip_aiding_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x28, 37, &data);
@@ -1039,8 +1039,8 @@ static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_vel
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_ned_velocity *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
+    const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
 }
 
@@ -1069,7 +1069,7 @@ static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode_inline(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x29, 37, &data);
@@ -1180,7 +1180,7 @@ static inline mip_error mip_aiding_body_frame_velocity_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_body_frame_velocity_encode(
+MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
 }
@@ -1210,7 +1210,7 @@ static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x2A, 37, &data);
@@ -1301,8 +1301,8 @@ static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_he
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
+    const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_true_heading_codec, value, builder);
 }
 
@@ -1327,7 +1327,7 @@ static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_true_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode_inline(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x31, 21, &data);
@@ -1419,7 +1419,7 @@ static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magne
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_magnetic_field_encode(
+MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
 }
@@ -1449,7 +1449,7 @@ static inline mip_error mip_aiding_magnetic_field_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_magnetic_field_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode_inline(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x32, 37, &data);
@@ -1540,8 +1540,8 @@ static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_pressure_encode(const struct mip_aiding_pressure *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_pressure_codec, value, builder);
 }
 
@@ -1566,8 +1566,8 @@ static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pres
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aiding_pressure *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_pressure_encode_inline(
+    const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x33, 21, &data);
     if (error != MIP_OK) {

@@ -10,7 +10,7 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_base_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, false, program_ping, NULL};
 
-const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, NULL, NULL};
+const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
 
 const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, &mip_base_ping_exchange};
 
@@ -21,7 +21,7 @@ static const uint8_t program_set_idle[] = {
 const struct mip_codec mip_base_set_idle_codec = {
     0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, false, program_set_idle, NULL};
 
-const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, NULL, NULL};
+const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, NULL, NULL};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec,
                                                       &mip_base_set_idle_exchange};
@@ -45,8 +45,8 @@ static const struct mip_response responses_get_device_info[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_base_get_device_info_exchange = {0x01, 0x03, 0, NULL,
-                                                               responses_get_device_info};
+const struct mip_exchange mip_base_get_device_info_exchange = {
+    0x01, 0x03, 0, false, NULL, responses_get_device_info};
 
 const struct mip_command mip_base_get_device_info_command = {&mip_base_get_device_info_codec,
                                                              &mip_base_get_device_info_exchange};
@@ -93,7 +93,7 @@ static const struct mip_response responses_get_device_descriptors[] = {
 };
 
 const struct mip_exchange mip_base_get_device_descriptors_exchange = {
-    0x01, 0x04, 0, NULL, responses_get_device_descriptors};
+    0x01, 0x04, 0, false, NULL, responses_get_device_descriptors};
 
 const struct mip_command mip_base_get_device_descriptors_command = {
     &mip_base_get_device_descriptors_codec, &mip_base_get_device_descriptors_exchange};
@@ -128,8 +128,8 @@ static const struct mip_response responses_built_in_test[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_base_built_in_test_exchange = {0x01, 0x05, 10000, NULL,
-                                                             responses_built_in_test};
+const struct mip_exchange mip_base_built_in_test_exchange = {0x01,  0x05, 10000,
+                                                             false, NULL, responses_built_in_test};
 
 const struct mip_command mip_base_built_in_test_command = {&mip_base_built_in_test_codec,
                                                            &mip_base_built_in_test_exchange};
@@ -157,7 +157,7 @@ static const uint8_t program_resume[] = {
 const struct mip_codec mip_base_resume_codec = {
     0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, false, program_resume, NULL};
 
-const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, NULL, NULL};
+const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, NULL, NULL};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec,
                                                     &mip_base_resume_exchange};
@@ -183,7 +183,7 @@ static const struct mip_response responses_get_extended_descriptors[] = {
 };
 
 const struct mip_exchange mip_base_get_extended_descriptors_exchange = {
-    0x01, 0x07, 0, NULL, responses_get_extended_descriptors};
+    0x01, 0x07, 0, false, NULL, responses_get_extended_descriptors};
 
 const struct mip_command mip_base_get_extended_descriptors_command = {
     &mip_base_get_extended_descriptors_codec, &mip_base_get_extended_descriptors_exchange};
@@ -226,7 +226,7 @@ static const struct mip_response responses_continuous_built_in_test[] = {
 };
 
 const struct mip_exchange mip_base_continuous_built_in_test_exchange = {
-    0x01, 0x08, 0, NULL, responses_continuous_built_in_test};
+    0x01, 0x08, 0, false, NULL, responses_continuous_built_in_test};
 
 const struct mip_command mip_base_continuous_built_in_test_command = {
     &mip_base_continuous_built_in_test_codec, &mip_base_continuous_built_in_test_exchange};
@@ -266,8 +266,8 @@ static const struct mip_response responses_comm_speed[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_base_comm_speed_exchange = {0x01, 0x09, 0, NULL,
-                                                          responses_comm_speed};
+const struct mip_exchange mip_base_comm_speed_exchange = {0x01, 0x09, 0,
+                                                          true, NULL, responses_comm_speed};
 
 const struct mip_command mip_base_comm_speed_command = {&mip_base_comm_speed_codec,
                                                         &mip_base_comm_speed_exchange};
@@ -321,7 +321,7 @@ static const struct mip_response responses_gps_time_update[] = {
 };
 
 const struct mip_exchange mip_base_gps_time_update_exchange = {
-    0x01, 0x72, 0, silent_gps_time_update, responses_gps_time_update};
+    0x01, 0x72, 0, true, silent_gps_time_update, responses_gps_time_update};
 
 const struct mip_command mip_base_gps_time_update_command = {&mip_base_gps_time_update_codec,
                                                              &mip_base_gps_time_update_exchange};
@@ -366,7 +366,7 @@ const struct mip_codec mip_base_soft_reset_codec = {
     0x01, 0x7E,  MIP_COMMAND,        0,   sizeof(struct mip_base_soft_reset),
     0,    false, program_soft_reset, NULL};
 
-const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, NULL, NULL};
+const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, NULL, NULL};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec,
                                                         &mip_base_soft_reset_exchange};

@@ -89,8 +89,8 @@ static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
-                                             struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
+                                                         struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
 }
 
@@ -130,8 +130,8 @@ static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
 }
 
@@ -168,7 +168,7 @@ static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_devi
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_info_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
 }
@@ -205,7 +205,7 @@ static inline mip_error mip_base_get_device_info_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_info_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
 }
@@ -235,7 +235,7 @@ static inline mip_error mip_base_get_device_info_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_get_device_info_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode_inline(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x81, 82, &data);
@@ -288,7 +288,7 @@ static inline mip_error mip_base_get_device_descriptors_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_descriptors_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
 }
@@ -330,7 +330,7 @@ static inline mip_error mip_base_get_device_descriptors_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_descriptors_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_encode(
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
 }
@@ -376,8 +376,8 @@ static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_t
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
+    const struct mip_base_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
 }
 
@@ -419,7 +419,7 @@ static inline mip_error mip_base_built_in_test_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_built_in_test_response_encode(
+MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
 }
@@ -439,7 +439,7 @@ static inline mip_error mip_base_built_in_test_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_built_in_test_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode_inline(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
@@ -484,8 +484,8 @@ static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
 }
 
@@ -526,7 +526,7 @@ static inline mip_error mip_base_get_extended_descriptors_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_extended_descriptors_encode(
+MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
 }
@@ -568,7 +568,7 @@ static inline mip_error mip_base_get_extended_descriptors_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_extended_descriptors_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_encode(
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
 }
@@ -613,7 +613,7 @@ static inline mip_error mip_base_continuous_built_in_test_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_continuous_built_in_test_encode(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
 }
@@ -652,7 +652,7 @@ static inline mip_error mip_base_continuous_built_in_test_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_continuous_built_in_test_response_encode(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
 }
@@ -672,7 +672,7 @@ static inline mip_error mip_base_continuous_built_in_test_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x88, 16, &data);
@@ -733,8 +733,8 @@ static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
 }
 /**
@@ -836,7 +836,7 @@ static inline mip_error mip_base_comm_speed_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_comm_speed_response_encode(
+MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
 }
@@ -857,7 +857,7 @@ static inline mip_error mip_base_comm_speed_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_comm_speed_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode_inline(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x89, 5, &data);
@@ -931,7 +931,7 @@ static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
 }
@@ -1019,7 +1019,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_week_number_response_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
@@ -1040,7 +1040,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -1087,7 +1087,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_tow_response_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
 }
@@ -1107,7 +1107,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x85, 4, &data);
@@ -1151,8 +1151,8 @@ static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);
 }
 

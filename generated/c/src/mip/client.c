@@ -60,11 +60,23 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request,
     *end = request;
 }
 
+mip_error mip_command_encode(const struct mip_command *command, const void *value,
+                             struct mip_builder *packet) {
+    const size_t before = packet->length;
+    mip_error error = mip_encode(command->codec, value, packet);
+    if (error == MIP_OK && command->exchange->selects && packet->buffer[before + 2] == 0) {
+        packet->length = before;
+        packet->buffer[3] = (uint8_t)(before - MIP_HEADER_SIZE);
+        error = mip_builder_note(packet, MIP_ERROR_MISSING);
+    }
+    return error;
+}
+
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_command *command,
                          const void *value, uint32_t now) {
     const size_t start = packet->length + 2;
-    const mip_error error = mip_encode(command->codec, value, packet);
+    const mip_error error = mip_command_encode(command, value, packet);
     if (error == MIP_OK) {
         mip_client_wait(client, request, packet, command->exchange, packet->length - start, now);
     } else {

@@ -182,11 +182,11 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
     size_t size = codec->numbers;
     uint8_t *data;
     if (start + size + MIP_CHECKSUM_SIZE > builder->capacity) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     data = builder->buffer + start;
     if (!mip_codec_belongs(codec, builder->buffer[2])) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
     if (codec->interpreter == NULL) {
         /* Nothing is written to the structure. */
@@ -195,7 +195,7 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
         const size_t room = builder->capacity - MIP_CHECKSUM_SIZE - start;
         const mip_error error = codec->interpreter->write(codec, value, data, room, &size);
         if (error != MIP_OK) {
-            return error;
+            return mip_builder_note(builder, error);
         }
     }
     return mip_builder_reserve(builder, builder->buffer[2], codec->descriptor, size, &data);

@@ -37,7 +37,7 @@ mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const
                           size_t size) {
     uint8_t *to;
     if (size > MIP_MAX_FIELD_DATA) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     const mip_error error =
         mip_builder_reserve(builder, mip_builder_set(builder), descriptor, size, &to);

@@ -24,11 +24,14 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     mip_parser_init(&device->parser);
 }
 
+const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
+
 /** Is a handler for this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
     return (handler->descriptor_set == MIP_ANY_SET ||
             handler->descriptor_set == field->descriptor_set) &&
-           (handler->type == MIP_ANY_FIELD || mip_field_is(field, handler->type));
+           (handler->type == MIP_ANY_FIELD ||
+            (handler->type != NULL && mip_field_is(field, handler->type)));
 }
 
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */
@@ -85,7 +88,7 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
     bool came;
-    return device->packet != NULL || update(device, bytes, sizeof(bytes), &came);
+    return device->packet == NULL && update(device, bytes, sizeof(bytes), &came);
 }
 
 /** Reads and handles what has arrived; not for ever, because more may be arriving. */
@@ -180,7 +183,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     struct mip_builder builder;
     mip_error error = MIP_OK;
     if (begin(device, &builder, bytes, command->exchange)) {
-        error = mip_encode(command->codec, value, &builder);
+        error = mip_command_encode(command, value, &builder);
     }
     return finish(device, &builder, command->exchange, error, codec, response);
 }

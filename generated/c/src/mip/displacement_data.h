@@ -52,7 +52,7 @@ static inline mip_error mip_displacement_data_displacement_raw_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_displacement_data_displacement_raw_encode(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_raw_codec, value, builder);
 }
@@ -72,7 +72,7 @@ static inline mip_error mip_displacement_data_displacement_raw_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x90, 0x01, 4, &data);
@@ -115,7 +115,7 @@ static inline mip_error mip_displacement_data_displacement_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_displacement_data_displacement_encode(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
 }
@@ -135,7 +135,7 @@ static inline mip_error mip_displacement_data_displacement_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_displacement_data_displacement_encode_inline(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_inline(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x90, 0x02, 4, &data);

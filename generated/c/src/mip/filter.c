@@ -10,7 +10,7 @@ static const uint8_t program_reset[] = {
 const struct mip_codec mip_filter_reset_codec = {
     0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, false, program_reset, NULL};
 
-const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, NULL, NULL};
+const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec,
                                                      &mip_filter_reset_exchange};
@@ -31,7 +31,8 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     program_set_initial_attitude,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D, 0x02, 0, NULL, NULL};
+const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D,  0x02, 0,
+                                                                      false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
     &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange};
@@ -52,7 +53,8 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     program_set_initial_heading,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D, 0x03, 0, NULL, NULL};
+const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D,  0x03, 0,
+                                                                     false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
     &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange};
@@ -73,8 +75,8 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     program_set_initial_attitude_from_imu,
     NULL};
 
-const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D, 0x04, 0, NULL,
-                                                                               NULL};
+const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D,  0x04, 0,
+                                                                               false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
     &mip_filter_set_initial_attitude_from_imu_codec,
@@ -87,7 +89,7 @@ static const uint8_t program_run[] = {
 const struct mip_codec mip_filter_run_codec = {
     0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, false, program_run, NULL};
 
-const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, NULL, NULL};
+const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange};
 
@@ -117,7 +119,7 @@ static const struct mip_response responses_vehicle_dynamics_mode[] = {
 };
 
 const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange = {
-    0x0D, 0x10, 0, NULL, responses_vehicle_dynamics_mode};
+    0x0D, 0x10, 0, true, NULL, responses_vehicle_dynamics_mode};
 
 const struct mip_command mip_filter_vehicle_dynamics_mode_command = {
     &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange};
@@ -168,7 +170,7 @@ static const struct mip_response responses_sensor_to_vehicle_euler[] = {
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange = {
-    0x0D, 0x11, 0, NULL, responses_sensor_to_vehicle_euler};
+    0x0D, 0x11, 0, true, NULL, responses_sensor_to_vehicle_euler};
 
 const struct mip_command mip_filter_sensor_to_vehicle_euler_command = {
     &mip_filter_sensor_to_vehicle_euler_codec, &mip_filter_sensor_to_vehicle_euler_exchange};
@@ -215,7 +217,7 @@ static const struct mip_response responses_sensor_to_vehicle_offset[] = {
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange = {
-    0x0D, 0x12, 0, NULL, responses_sensor_to_vehicle_offset};
+    0x0D, 0x12, 0, true, NULL, responses_sensor_to_vehicle_offset};
 
 const struct mip_command mip_filter_sensor_to_vehicle_offset_command = {
     &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange};
@@ -260,8 +262,8 @@ static const struct mip_response responses_antenna_offset[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_antenna_offset_exchange = {0x0D, 0x13, 0, NULL,
-                                                                responses_antenna_offset};
+const struct mip_exchange mip_filter_antenna_offset_exchange = {
+    0x0D, 0x13, 0, true, NULL, responses_antenna_offset};
 
 const struct mip_command mip_filter_antenna_offset_command = {&mip_filter_antenna_offset_codec,
                                                               &mip_filter_antenna_offset_exchange};
@@ -307,8 +309,8 @@ static const struct mip_response responses_estimation_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_estimation_control_exchange = {0x0D, 0x14, 0, NULL,
-                                                                    responses_estimation_control};
+const struct mip_exchange mip_filter_estimation_control_exchange = {
+    0x0D, 0x14, 0, true, NULL, responses_estimation_control};
 
 const struct mip_command mip_filter_estimation_control_command = {
     &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange};
@@ -347,8 +349,8 @@ static const struct mip_response responses_gnss_source[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D, 0x15, 0, NULL,
-                                                             responses_gnss_source};
+const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D, 0x15, 0,
+                                                             true, NULL, responses_gnss_source};
 
 const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec,
                                                            &mip_filter_gnss_source_exchange};
@@ -388,7 +390,8 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     program_external_gnss_update,
     NULL};
 
-const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D, 0x16, 0, NULL, NULL};
+const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D,  0x16, 0,
+                                                                      false, NULL, NULL};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
     &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange};
@@ -410,7 +413,8 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     program_external_heading_update,
     NULL};
 
-const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D, 0x17, 0, NULL, NULL};
+const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D,  0x17, 0,
+                                                                         false, NULL, NULL};
 
 const struct mip_command mip_filter_external_heading_update_command = {
     &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange};
@@ -439,8 +443,8 @@ static const struct mip_response responses_heading_source[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_heading_source_exchange = {0x0D, 0x18, 0, NULL,
-                                                                responses_heading_source};
+const struct mip_exchange mip_filter_heading_source_exchange = {
+    0x0D, 0x18, 0, true, NULL, responses_heading_source};
 
 const struct mip_command mip_filter_heading_source_command = {&mip_filter_heading_source_codec,
                                                               &mip_filter_heading_source_exchange};
@@ -487,7 +491,7 @@ static const struct mip_response responses_auto_initialization_control[] = {
 };
 
 const struct mip_exchange mip_filter_auto_initialization_control_exchange = {
-    0x0D, 0x19, 0, NULL, responses_auto_initialization_control};
+    0x0D, 0x19, 0, true, NULL, responses_auto_initialization_control};
 
 const struct mip_command mip_filter_auto_initialization_control_command = {
     &mip_filter_auto_initialization_control_codec,
@@ -527,8 +531,8 @@ static const struct mip_response responses_accel_noise[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D, 0x1A, 0, NULL,
-                                                             responses_accel_noise};
+const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D, 0x1A, 0,
+                                                             true, NULL, responses_accel_noise};
 
 const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec,
                                                            &mip_filter_accel_noise_exchange};
@@ -566,8 +570,8 @@ static const struct mip_response responses_gyro_noise[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D, 0x1B, 0, NULL,
-                                                            responses_gyro_noise};
+const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D, 0x1B, 0,
+                                                            true, NULL, responses_gyro_noise};
 
 const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec,
                                                           &mip_filter_gyro_noise_exchange};
@@ -615,8 +619,8 @@ static const struct mip_response responses_accel_bias_model[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_accel_bias_model_exchange = {0x0D, 0x1C, 0, NULL,
-                                                                  responses_accel_bias_model};
+const struct mip_exchange mip_filter_accel_bias_model_exchange = {
+    0x0D, 0x1C, 0, true, NULL, responses_accel_bias_model};
 
 const struct mip_command mip_filter_accel_bias_model_command = {
     &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange};
@@ -664,8 +668,8 @@ static const struct mip_response responses_gyro_bias_model[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_gyro_bias_model_exchange = {0x0D, 0x1D, 0, NULL,
-                                                                 responses_gyro_bias_model};
+const struct mip_exchange mip_filter_gyro_bias_model_exchange = {
+    0x0D, 0x1D, 0, true, NULL, responses_gyro_bias_model};
 
 const struct mip_command mip_filter_gyro_bias_model_command = {
     &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange};
@@ -705,8 +709,8 @@ static const struct mip_response responses_auto_zupt[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D, 0x1E, 0, NULL,
-                                                           responses_auto_zupt};
+const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D, 0x1E, 0,
+                                                           true, NULL, responses_auto_zupt};
 
 const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec,
                                                          &mip_filter_auto_zupt_exchange};
@@ -747,8 +751,8 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     program_external_heading_update_with_time,
     NULL};
 
-const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {0x0D, 0x1F, 0,
-                                                                                   NULL, NULL};
+const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {
+    0x0D, 0x1F, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
     &mip_filter_external_heading_update_with_time_codec,
@@ -781,8 +785,8 @@ static const struct mip_response responses_auto_angular_zupt[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {0x0D, 0x20, 0, NULL,
-                                                                   responses_auto_angular_zupt};
+const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {
+    0x0D, 0x20, 0, true, NULL, responses_auto_angular_zupt};
 
 const struct mip_command mip_filter_auto_angular_zupt_command = {
     &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange};
@@ -829,8 +833,8 @@ static const struct mip_response responses_tare_orientation[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_tare_orientation_exchange = {0x0D, 0x21, 0, NULL,
-                                                                  responses_tare_orientation};
+const struct mip_exchange mip_filter_tare_orientation_exchange = {
+    0x0D, 0x21, 0, true, NULL, responses_tare_orientation};
 
 const struct mip_command mip_filter_tare_orientation_command = {
     &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange};
@@ -865,7 +869,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           program_commanded_zupt,
                                                           NULL};
 
-const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, NULL, NULL};
+const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
                                                               &mip_filter_commanded_zupt_exchange};
@@ -885,7 +889,8 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     program_commanded_angular_zupt,
     NULL};
 
-const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D, 0x23, 0, NULL, NULL};
+const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D,  0x23, 0,
+                                                                        false, NULL, NULL};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
     &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange};
@@ -921,8 +926,8 @@ static const struct mip_response responses_reference_position[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_reference_position_exchange = {0x0D, 0x26, 0, NULL,
-                                                                    responses_reference_position};
+const struct mip_exchange mip_filter_reference_position_exchange = {
+    0x0D, 0x26, 0, true, NULL, responses_reference_position};
 
 const struct mip_command mip_filter_reference_position_command = {
     &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange};
@@ -960,8 +965,8 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     program_mag_capture_auto_calibration,
     NULL};
 
-const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0, NULL,
-                                                                              NULL};
+const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0,
+                                                                              true, NULL, NULL};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
     &mip_filter_mag_capture_auto_calibration_codec,
@@ -985,8 +990,8 @@ static const struct mip_response responses_gravity_noise[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_gravity_noise_exchange = {0x0D, 0x28, 0, NULL,
-                                                               responses_gravity_noise};
+const struct mip_exchange mip_filter_gravity_noise_exchange = {0x0D, 0x28, 0,
+                                                               true, NULL, responses_gravity_noise};
 
 const struct mip_command mip_filter_gravity_noise_command = {&mip_filter_gravity_noise_codec,
                                                              &mip_filter_gravity_noise_exchange};
@@ -1033,7 +1038,7 @@ static const struct mip_response responses_pressure_altitude_noise[] = {
 };
 
 const struct mip_exchange mip_filter_pressure_altitude_noise_exchange = {
-    0x0D, 0x29, 0, NULL, responses_pressure_altitude_noise};
+    0x0D, 0x29, 0, true, NULL, responses_pressure_altitude_noise};
 
 const struct mip_command mip_filter_pressure_altitude_noise_command = {
     &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange};
@@ -1080,7 +1085,7 @@ static const struct mip_response responses_hard_iron_offset_noise[] = {
 };
 
 const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange = {
-    0x0D, 0x2B, 0, NULL, responses_hard_iron_offset_noise};
+    0x0D, 0x2B, 0, true, NULL, responses_hard_iron_offset_noise};
 
 const struct mip_command mip_filter_hard_iron_offset_noise_command = {
     &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange};
@@ -1127,7 +1132,7 @@ static const struct mip_response responses_soft_iron_matrix_noise[] = {
 };
 
 const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange = {
-    0x0D, 0x2C, 0, NULL, responses_soft_iron_matrix_noise};
+    0x0D, 0x2C, 0, true, NULL, responses_soft_iron_matrix_noise};
 
 const struct mip_command mip_filter_soft_iron_matrix_noise_command = {
     &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange};
@@ -1173,8 +1178,8 @@ static const struct mip_response responses_enable_measurements[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_enable_measurements_exchange = {0x0D, 0x41, 0, NULL,
-                                                                     responses_enable_measurements};
+const struct mip_exchange mip_filter_enable_measurements_exchange = {
+    0x0D, 0x41, 0, true, NULL, responses_enable_measurements};
 
 const struct mip_command mip_filter_enable_measurements_command = {
     &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange};
@@ -1212,8 +1217,8 @@ static const struct mip_response responses_mag_noise[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D, 0x42, 0, NULL,
-                                                           responses_mag_noise};
+const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D, 0x42, 0,
+                                                           true, NULL, responses_mag_noise};
 
 const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec,
                                                          &mip_filter_mag_noise_exchange};
@@ -1262,7 +1267,7 @@ static const struct mip_response responses_magnetic_declination_source[] = {
 };
 
 const struct mip_exchange mip_filter_magnetic_declination_source_exchange = {
-    0x0D, 0x43, 0, NULL, responses_magnetic_declination_source};
+    0x0D, 0x43, 0, true, NULL, responses_magnetic_declination_source};
 
 const struct mip_command mip_filter_magnetic_declination_source_command = {
     &mip_filter_magnetic_declination_source_codec,
@@ -1323,7 +1328,7 @@ static const struct mip_response responses_accel_magnitude_adaptive[] = {
 };
 
 const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange = {
-    0x0D, 0x44, 0, NULL, responses_accel_magnitude_adaptive};
+    0x0D, 0x44, 0, true, NULL, responses_accel_magnitude_adaptive};
 
 const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
     &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange};
@@ -1384,7 +1389,7 @@ static const struct mip_response responses_mag_magnitude_adaptive[] = {
 };
 
 const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange = {
-    0x0D, 0x45, 0, NULL, responses_mag_magnitude_adaptive};
+    0x0D, 0x45, 0, true, NULL, responses_mag_magnitude_adaptive};
 
 const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
     &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange};
@@ -1440,7 +1445,7 @@ static const struct mip_response responses_mag_dip_angle_adaptive[] = {
 };
 
 const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange = {
-    0x0D, 0x46, 0, NULL, responses_mag_dip_angle_adaptive};
+    0x0D, 0x46, 0, true, NULL, responses_mag_dip_angle_adaptive};
 
 const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
     &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange};
@@ -1487,8 +1492,8 @@ static const struct mip_response responses_altitude_aiding[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_altitude_aiding_exchange = {0x0D, 0x47, 0, NULL,
-                                                                 responses_altitude_aiding};
+const struct mip_exchange mip_filter_altitude_aiding_exchange = {
+    0x0D, 0x47, 0, true, NULL, responses_altitude_aiding};
 
 const struct mip_command mip_filter_altitude_aiding_command = {
     &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange};
@@ -1534,8 +1539,8 @@ static const struct mip_response responses_pitch_roll_aiding[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {0x0D, 0x4B, 0, NULL,
-                                                                   responses_pitch_roll_aiding};
+const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {
+    0x0D, 0x4B, 0, true, NULL, responses_pitch_roll_aiding};
 
 const struct mip_command mip_filter_pitch_roll_aiding_command = {
     &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange};
@@ -1584,7 +1589,7 @@ static const struct mip_response responses_magnetic_inclination_source[] = {
 };
 
 const struct mip_exchange mip_filter_magnetic_inclination_source_exchange = {
-    0x0D, 0x4C, 0, NULL, responses_magnetic_inclination_source};
+    0x0D, 0x4C, 0, true, NULL, responses_magnetic_inclination_source};
 
 const struct mip_command mip_filter_magnetic_inclination_source_command = {
     &mip_filter_magnetic_inclination_source_codec,
@@ -1635,7 +1640,7 @@ static const struct mip_response responses_magnetic_magnitude_source[] = {
 };
 
 const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange = {
-    0x0D, 0x4D, 0, NULL, responses_magnetic_magnitude_source};
+    0x0D, 0x4D, 0, true, NULL, responses_magnetic_magnitude_source};
 
 const struct mip_command mip_filter_magnetic_magnitude_source_command = {
     &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange};
@@ -1683,7 +1688,7 @@ static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange = {
-    0x0D, 0x4E, 0, NULL, responses_sensor_to_vehicle_dcm};
+    0x0D, 0x4E, 0, true, NULL, responses_sensor_to_vehicle_dcm};
 
 const struct mip_command mip_filter_sensor_to_vehicle_dcm_command = {
     &mip_filter_sensor_to_vehicle_dcm_codec, &mip_filter_sensor_to_vehicle_dcm_exchange};
@@ -1730,7 +1735,7 @@ static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
 };
 
 const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange = {
-    0x0D, 0x4F, 0, NULL, responses_sensor_to_vehicle_quaternion};
+    0x0D, 0x4F, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
 
 const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
     &mip_filter_sensor_to_vehicle_quaternion_codec,
@@ -1780,7 +1785,7 @@ static const struct mip_response responses_aiding_measurement_enable[] = {
 };
 
 const struct mip_exchange mip_filter_aiding_measurement_enable_exchange = {
-    0x0D, 0x50, 0, NULL, responses_aiding_measurement_enable};
+    0x0D, 0x50, 0, true, NULL, responses_aiding_measurement_enable};
 
 const struct mip_command mip_filter_aiding_measurement_enable_command = {
     &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange};
@@ -1832,7 +1837,7 @@ static const struct mip_response responses_kinematic_constraint[] = {
 };
 
 const struct mip_exchange mip_filter_kinematic_constraint_exchange = {
-    0x0D, 0x51, 0, NULL, responses_kinematic_constraint};
+    0x0D, 0x51, 0, true, NULL, responses_kinematic_constraint};
 
 const struct mip_command mip_filter_kinematic_constraint_command = {
     &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange};
@@ -1895,7 +1900,7 @@ static const struct mip_response responses_initialization_config[] = {
 };
 
 const struct mip_exchange mip_filter_initialization_config_exchange = {
-    0x0D, 0x52, 0, NULL, responses_initialization_config};
+    0x0D, 0x52, 0, true, NULL, responses_initialization_config};
 
 const struct mip_command mip_filter_initialization_config_command = {
     &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange};
@@ -1947,7 +1952,7 @@ static const struct mip_response responses_adaptive_filter_options[] = {
 };
 
 const struct mip_exchange mip_filter_adaptive_filter_options_exchange = {
-    0x0D, 0x53, 0, NULL, responses_adaptive_filter_options};
+    0x0D, 0x53, 0, true, NULL, responses_adaptive_filter_options};
 
 const struct mip_command mip_filter_adaptive_filter_options_command = {
     &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange};
@@ -1997,7 +2002,7 @@ static const struct mip_response responses_multi_antenna_offset[] = {
 };
 
 const struct mip_exchange mip_filter_multi_antenna_offset_exchange = {
-    0x0D, 0x54, 0, NULL, responses_multi_antenna_offset};
+    0x0D, 0x54, 0, true, NULL, responses_multi_antenna_offset};
 
 const struct mip_command mip_filter_multi_antenna_offset_command = {
     &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange};
@@ -2049,7 +2054,7 @@ static const struct mip_response responses_relative_position_config[] = {
 };
 
 const struct mip_exchange mip_filter_relative_position_config_exchange = {
-    0x0D, 0x55, 0, NULL, responses_relative_position_config};
+    0x0D, 0x55, 0, true, NULL, responses_relative_position_config};
 
 const struct mip_command mip_filter_relative_position_config_command = {
     &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange};
@@ -2100,7 +2105,7 @@ static const struct mip_response responses_reference_point_lever_arm[] = {
 };
 
 const struct mip_exchange mip_filter_reference_point_lever_arm_exchange = {
-    0x0D, 0x56, 0, NULL, responses_reference_point_lever_arm};
+    0x0D, 0x56, 0, true, NULL, responses_reference_point_lever_arm};
 
 const struct mip_command mip_filter_reference_point_lever_arm_command = {
     &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange};
@@ -2139,7 +2144,8 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     program_speed_measurement,
     NULL};
 
-const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D, 0x60, 0, NULL, NULL};
+const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D,  0x60, 0,
+                                                                   false, NULL, NULL};
 
 const struct mip_command mip_filter_speed_measurement_command = {
     &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange};
@@ -2147,6 +2153,7 @@ const struct mip_command mip_filter_speed_measurement_command = {
 static const uint8_t program_speed_lever_arm[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm, source)),
     MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_speed_lever_arm, lever_arm_offset)),
@@ -2171,8 +2178,8 @@ static const struct mip_response responses_speed_lever_arm[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_filter_speed_lever_arm_exchange = {0x0D, 0x61, 0, NULL,
-                                                                 responses_speed_lever_arm};
+const struct mip_exchange mip_filter_speed_lever_arm_exchange = {
+    0x0D, 0x61, 0, true, NULL, responses_speed_lever_arm};
 
 const struct mip_command mip_filter_speed_lever_arm_command = {
     &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange};
@@ -2220,7 +2227,7 @@ static const struct mip_response responses_vertical_gyro_constraint[] = {
 };
 
 const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange = {
-    0x0D, 0x62, 0, NULL, responses_vertical_gyro_constraint};
+    0x0D, 0x62, 0, true, NULL, responses_vertical_gyro_constraint};
 
 const struct mip_command mip_filter_vertical_gyro_constraint_command = {
     &mip_filter_vertical_gyro_constraint_codec, &mip_filter_vertical_gyro_constraint_exchange};
@@ -2267,7 +2274,7 @@ static const struct mip_response responses_wheeled_vehicle_constraint[] = {
 };
 
 const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange = {
-    0x0D, 0x63, 0, NULL, responses_wheeled_vehicle_constraint};
+    0x0D, 0x63, 0, true, NULL, responses_wheeled_vehicle_constraint};
 
 const struct mip_command mip_filter_wheeled_vehicle_constraint_command = {
     &mip_filter_wheeled_vehicle_constraint_codec, &mip_filter_wheeled_vehicle_constraint_exchange};
@@ -2316,7 +2323,7 @@ static const struct mip_response responses_gnss_antenna_calibration[] = {
 };
 
 const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange = {
-    0x0D, 0x64, 0, NULL, responses_gnss_antenna_calibration};
+    0x0D, 0x64, 0, true, NULL, responses_gnss_antenna_calibration};
 
 const struct mip_command mip_filter_gnss_antenna_calibration_command = {
     &mip_filter_gnss_antenna_calibration_codec, &mip_filter_gnss_antenna_calibration_exchange};

@@ -361,8 +361,8 @@ static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
 
@@ -406,7 +406,7 @@ static inline mip_error mip_filter_set_initial_attitude_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_attitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
 }
@@ -428,7 +428,7 @@ static inline mip_error mip_filter_set_initial_attitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_attitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x02, 12, &data);
@@ -496,7 +496,7 @@ static inline mip_error mip_filter_set_initial_heading_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_heading_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
 }
@@ -516,7 +516,7 @@ static inline mip_error mip_filter_set_initial_heading_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode_inline(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x03, 4, &data);
@@ -576,7 +576,7 @@ static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
 }
@@ -596,7 +596,7 @@ static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x04, 4, &data);
@@ -653,8 +653,8 @@ static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
 
@@ -703,7 +703,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
 }
@@ -781,7 +781,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
 }
@@ -801,7 +801,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x80, 1, &data);
@@ -868,7 +868,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
@@ -954,7 +954,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
     const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, builder);
 }
@@ -976,7 +976,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
@@ -1038,7 +1038,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
 }
@@ -1118,7 +1118,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
 }
@@ -1140,7 +1140,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x82, 12, &data);
@@ -1200,7 +1200,7 @@ static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_anten
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_antenna_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
 }
@@ -1280,7 +1280,7 @@ static inline mip_error mip_filter_antenna_offset_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_antenna_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
 }
@@ -1302,7 +1302,7 @@ static inline mip_error mip_filter_antenna_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_antenna_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode_inline(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x83, 12, &data);
@@ -1364,7 +1364,7 @@ static inline mip_error mip_filter_estimation_control_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_estimation_control_encode(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
 }
@@ -1446,7 +1446,7 @@ static inline mip_error mip_filter_estimation_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_estimation_control_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
 }
@@ -1466,7 +1466,7 @@ static inline mip_error mip_filter_estimation_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_estimation_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode_inline(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x84, 2, &data);
@@ -1523,8 +1523,8 @@ static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_sou
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
+    const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
 }
 /**
@@ -1600,7 +1600,7 @@ static inline mip_error mip_filter_gnss_source_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
 }
@@ -1620,7 +1620,7 @@ static inline mip_error mip_filter_gnss_source_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gnss_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inline(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x86, 1, &data);
@@ -1684,7 +1684,7 @@ static inline mip_error mip_filter_external_gnss_update_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_gnss_update_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
 }
@@ -1717,7 +1717,7 @@ static inline mip_error mip_filter_external_gnss_update_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_gnss_update_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode_inline(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x16, 70, &data);
@@ -1824,7 +1824,7 @@ static inline mip_error mip_filter_external_heading_update_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_heading_update_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
 }
@@ -1846,7 +1846,7 @@ static inline mip_error mip_filter_external_heading_update_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_heading_update_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode_inline(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x17, 9, &data);
@@ -1926,7 +1926,7 @@ static inline mip_error mip_filter_heading_source_decode(struct mip_filter_headi
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_heading_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
 }
@@ -2009,7 +2009,7 @@ static inline mip_error mip_filter_heading_source_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_heading_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
 }
@@ -2029,7 +2029,7 @@ static inline mip_error mip_filter_heading_source_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_heading_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode_inline(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x87, 1, &data);
@@ -2082,7 +2082,7 @@ static inline mip_error mip_filter_auto_initialization_control_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_initialization_control_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
 }
@@ -2164,7 +2164,7 @@ static inline mip_error mip_filter_auto_initialization_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_initialization_control_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
@@ -2185,7 +2185,7 @@ static inline mip_error mip_filter_auto_initialization_control_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2242,8 +2242,8 @@ static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_no
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
+    const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
 }
 /**
@@ -2319,7 +2319,7 @@ static inline mip_error mip_filter_accel_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
 }
@@ -2341,7 +2341,7 @@ static inline mip_error mip_filter_accel_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode_inline(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x89, 12, &data);
@@ -2399,8 +2399,8 @@ static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_nois
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
+    const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
 }
 /**
@@ -2476,7 +2476,7 @@ static inline mip_error mip_filter_gyro_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
 }
@@ -2498,7 +2498,7 @@ static inline mip_error mip_filter_gyro_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gyro_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode_inline(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8A, 12, &data);
@@ -2558,7 +2558,7 @@ static inline mip_error mip_filter_accel_bias_model_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_bias_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
 }
@@ -2642,7 +2642,7 @@ static inline mip_error mip_filter_accel_bias_model_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_bias_model_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
 }
@@ -2667,7 +2667,7 @@ static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8B, 24, &data);
@@ -2731,7 +2731,7 @@ static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_bias_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
 }
@@ -2816,7 +2816,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_bias_model_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
 }
@@ -2841,7 +2841,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8C, 24, &data);
@@ -2900,8 +2900,8 @@ static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
 }
 /**
@@ -2981,7 +2981,7 @@ static inline mip_error mip_filter_auto_zupt_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_zupt_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
 }
@@ -3002,7 +3002,7 @@ static inline mip_error mip_filter_auto_zupt_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_zupt_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8D, 5, &data);
@@ -3072,7 +3072,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_heading_update_with_time_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
 }
@@ -3096,7 +3096,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x1F, 19, &data);
@@ -3182,7 +3182,7 @@ static inline mip_error mip_filter_auto_angular_zupt_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_angular_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
 }
@@ -3264,7 +3264,7 @@ static inline mip_error mip_filter_auto_angular_zupt_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_angular_zupt_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
 }
@@ -3285,7 +3285,7 @@ static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8E, 5, &data);
@@ -3340,7 +3340,7 @@ static inline mip_error mip_filter_tare_orientation_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_tare_orientation_encode(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
 }
@@ -3418,7 +3418,7 @@ static inline mip_error mip_filter_tare_orientation_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_tare_orientation_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
 }
@@ -3438,7 +3438,7 @@ static inline mip_error mip_filter_tare_orientation_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_tare_orientation_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode_inline(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xA1, 1, &data);
@@ -3482,7 +3482,7 @@ static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_comma
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_commanded_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
@@ -3521,7 +3521,7 @@ static inline mip_error mip_filter_commanded_angular_zupt_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_commanded_angular_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
@@ -3578,7 +3578,7 @@ static inline mip_error mip_filter_reference_position_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
 }
@@ -3675,7 +3675,7 @@ static inline mip_error mip_filter_reference_position_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_position_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
 }
@@ -3698,7 +3698,7 @@ static inline mip_error mip_filter_reference_position_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_reference_position_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode_inline(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x90, 25, &data);
@@ -3750,7 +3750,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
 }
@@ -3770,7 +3770,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x27, 1, &data);
@@ -3842,7 +3842,7 @@ static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravit
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gravity_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
 }
@@ -3919,7 +3919,7 @@ static inline mip_error mip_filter_gravity_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gravity_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
 }
@@ -3941,7 +3941,7 @@ static inline mip_error mip_filter_gravity_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gravity_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inline(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x93, 12, &data);
@@ -3998,7 +3998,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pressure_altitude_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
 }
@@ -4074,7 +4074,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
 }
@@ -4094,7 +4094,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x94, 4, &data);
@@ -4149,7 +4149,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_hard_iron_offset_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
 }
@@ -4226,7 +4226,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
 }
@@ -4248,7 +4248,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x96, 12, &data);
@@ -4305,7 +4305,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
 }
@@ -4385,7 +4385,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
 }
@@ -4407,7 +4407,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x97, 36, &data);
@@ -4463,7 +4463,7 @@ static inline mip_error mip_filter_enable_measurements_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_enable_measurements_encode(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
 }
@@ -4539,7 +4539,7 @@ static inline mip_error mip_filter_enable_measurements_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_enable_measurements_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
 }
@@ -4559,7 +4559,7 @@ static inline mip_error mip_filter_enable_measurements_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_enable_measurements_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode_inline(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB0, 2, &data);
@@ -4613,8 +4613,8 @@ static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
 }
 /**
@@ -4689,7 +4689,7 @@ static inline mip_error mip_filter_mag_noise_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
 }
@@ -4711,7 +4711,7 @@ static inline mip_error mip_filter_mag_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode_inline(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB1, 12, &data);
@@ -4779,7 +4779,7 @@ static inline mip_error mip_filter_magnetic_declination_source_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_declination_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
 }
@@ -4876,7 +4876,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_declination_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
@@ -4898,7 +4898,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -4993,7 +4993,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
@@ -5088,7 +5088,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
 }
@@ -5114,7 +5114,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB3, 25, &data);
@@ -5215,7 +5215,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
@@ -5350,7 +5350,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
 }
@@ -5376,7 +5376,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB4, 25, &data);
@@ -5459,7 +5459,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
@@ -5567,7 +5567,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
 }
@@ -5591,7 +5591,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB5, 17, &data);
@@ -5651,7 +5651,7 @@ static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_alti
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_altitude_aiding_encode(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
 }
@@ -5728,7 +5728,7 @@ static inline mip_error mip_filter_altitude_aiding_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_altitude_aiding_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
 }
@@ -5748,7 +5748,7 @@ static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB7, 1, &data);
@@ -5801,7 +5801,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pitch_roll_aiding_encode(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
 }
@@ -5877,7 +5877,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
 }
@@ -5897,7 +5897,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBB, 1, &data);
@@ -5960,7 +5960,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_inclination_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
 }
@@ -6054,7 +6054,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
@@ -6076,7 +6076,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6142,7 +6142,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_magnitude_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
 }
@@ -6232,7 +6232,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
@@ -6254,7 +6254,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6323,7 +6323,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
@@ -6405,7 +6405,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
     const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
@@ -6427,7 +6427,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
@@ -6494,7 +6494,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
@@ -6581,7 +6581,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
@@ -6604,7 +6604,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6665,7 +6665,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_aiding_measurement_enable_encode(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
 }
@@ -6785,7 +6785,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
@@ -6807,7 +6807,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6875,7 +6875,7 @@ static inline mip_error mip_filter_kinematic_constraint_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_kinematic_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
 }
@@ -6974,7 +6974,7 @@ static inline mip_error mip_filter_kinematic_constraint_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_kinematic_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
 }
@@ -6996,7 +6996,7 @@ static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD1, 3, &data);
@@ -7092,7 +7092,7 @@ static inline mip_error mip_filter_initialization_config_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_initialization_config_encode(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
 }
@@ -7230,7 +7230,7 @@ static inline mip_error mip_filter_initialization_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_initialization_config_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
 }
@@ -7262,7 +7262,7 @@ static inline mip_error mip_filter_initialization_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_initialization_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode_inline(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD2, 40, &data);
@@ -7334,7 +7334,7 @@ static inline mip_error mip_filter_adaptive_filter_options_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_adaptive_filter_options_encode(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
 }
@@ -7417,7 +7417,7 @@ static inline mip_error mip_filter_adaptive_filter_options_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_adaptive_filter_options_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
 }
@@ -7438,7 +7438,7 @@ static inline mip_error mip_filter_adaptive_filter_options_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD3, 3, &data);
@@ -7495,7 +7495,7 @@ static inline mip_error mip_filter_multi_antenna_offset_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_multi_antenna_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
 }
@@ -7599,7 +7599,7 @@ static inline mip_error mip_filter_multi_antenna_offset_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_multi_antenna_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
 }
@@ -7622,7 +7622,7 @@ static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD4, 13, &data);
@@ -7688,7 +7688,7 @@ static inline mip_error mip_filter_relative_position_config_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_relative_position_config_encode(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
 }
@@ -7786,7 +7786,7 @@ static inline mip_error mip_filter_relative_position_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_relative_position_config_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
 }
@@ -7810,7 +7810,7 @@ static inline mip_error mip_filter_relative_position_config_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_relative_position_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode_inline(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD5, 26, &data);
@@ -7877,7 +7877,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_point_lever_arm_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
 }
@@ -7965,7 +7965,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
@@ -7989,7 +7989,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -8046,7 +8046,7 @@ static inline mip_error mip_filter_speed_measurement_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_measurement_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
 }
@@ -8069,7 +8069,7 @@ static inline mip_error mip_filter_speed_measurement_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_speed_measurement_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode_inline(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x60, 13, &data);
@@ -8145,7 +8145,7 @@ static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_spee
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_lever_arm_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
 }
@@ -8228,7 +8228,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_lever_arm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
 }
@@ -8251,7 +8251,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE1, 13, &data);
@@ -8310,7 +8310,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
@@ -8388,7 +8388,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
     const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_response_codec, value, builder);
 }
@@ -8408,7 +8408,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
     const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
@@ -8464,7 +8464,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
@@ -8544,7 +8544,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
     const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, builder);
@@ -8565,7 +8565,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
     const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -8626,7 +8626,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
@@ -8711,7 +8711,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
     const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_response_codec, value, builder);
 }
@@ -8732,7 +8732,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
     const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);

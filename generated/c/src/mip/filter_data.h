@@ -405,7 +405,7 @@ static inline mip_error mip_filter_data_llh_position_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_llh_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
 }
@@ -428,7 +428,7 @@ static inline mip_error mip_filter_data_llh_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode_inline(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x01, 26, &data);
@@ -488,7 +488,7 @@ static inline mip_error mip_filter_data_ned_velocity_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_velocity_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
 }
@@ -511,7 +511,7 @@ static inline mip_error mip_filter_data_ned_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x02, 14, &data);
@@ -565,7 +565,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_attitude_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
 }
@@ -588,7 +588,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x03, 18, &data);
@@ -641,7 +641,7 @@ static inline mip_error mip_filter_data_attitude_dcm_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_attitude_dcm_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
 }
@@ -664,7 +664,7 @@ static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x04, 38, &data);
@@ -726,7 +726,7 @@ static inline mip_error mip_filter_data_euler_angles_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_euler_angles_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
 }
@@ -749,7 +749,7 @@ static inline mip_error mip_filter_data_euler_angles_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_euler_angles_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode_inline(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x05, 14, &data);
@@ -800,7 +800,7 @@ static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
 }
@@ -823,7 +823,7 @@ static inline mip_error mip_filter_data_gyro_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x06, 14, &data);
@@ -873,7 +873,7 @@ static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
 }
@@ -896,7 +896,7 @@ static inline mip_error mip_filter_data_accel_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode_inline(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x07, 14, &data);
@@ -957,7 +957,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
 }
@@ -980,7 +980,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x08, 14, &data);
@@ -1041,7 +1041,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
 }
@@ -1064,7 +1064,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x09, 14, &data);
@@ -1129,7 +1129,7 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
 }
@@ -1152,7 +1152,7 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0A, 14, &data);
@@ -1204,7 +1204,7 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
 }
@@ -1227,7 +1227,7 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0B, 14, &data);
@@ -1278,7 +1278,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
 }
@@ -1301,7 +1301,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0C, 14, &data);
@@ -1352,7 +1352,7 @@ static inline mip_error mip_filter_data_linear_accel_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_linear_accel_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
 }
@@ -1375,7 +1375,7 @@ static inline mip_error mip_filter_data_linear_accel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_linear_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode_inline(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0D, 14, &data);
@@ -1427,7 +1427,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_comp_angular_rate_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
 }
@@ -1450,7 +1450,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0E, 14, &data);
@@ -1503,7 +1503,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
 }
@@ -1524,7 +1524,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0F, 6, &data);
@@ -1590,8 +1590,8 @@ static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_sta
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
+    const struct mip_filter_data_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_status_codec, value, builder);
 }
 
@@ -1612,7 +1612,7 @@ static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_status_encode_inline(
     const struct mip_filter_data_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x10, 6, &data);
@@ -1672,7 +1672,7 @@ static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
 }
@@ -1694,7 +1694,7 @@ static inline mip_error mip_filter_data_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode_inline(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x11, 12, &data);
@@ -1746,7 +1746,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, builder);
@@ -1770,7 +1770,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -1823,7 +1823,7 @@ static inline mip_error mip_filter_data_gravity_vector_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gravity_vector_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
 }
@@ -1846,7 +1846,7 @@ static inline mip_error mip_filter_data_gravity_vector_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gravity_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode_inline(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x13, 14, &data);
@@ -1909,7 +1909,7 @@ static inline mip_error mip_filter_data_heading_update_state_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_heading_update_state_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
 }
@@ -1932,7 +1932,7 @@ static inline mip_error mip_filter_data_heading_update_state_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_heading_update_state_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode_inline(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x14, 12, &data);
@@ -1999,7 +1999,7 @@ static inline mip_error mip_filter_data_magnetic_model_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_magnetic_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
 }
@@ -2024,7 +2024,7 @@ static inline mip_error mip_filter_data_magnetic_model_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_magnetic_model_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode_inline(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x15, 22, &data);
@@ -2077,7 +2077,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_scale_factor_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
 }
@@ -2100,7 +2100,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x16, 14, &data);
@@ -2151,7 +2151,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_scale_factor_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
 }
@@ -2174,7 +2174,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x17, 14, &data);
@@ -2226,7 +2226,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, builder);
@@ -2250,7 +2250,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2303,7 +2303,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, builder);
@@ -2327,7 +2327,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2378,7 +2378,7 @@ static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_m
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
 }
@@ -2401,7 +2401,7 @@ static inline mip_error mip_filter_data_mag_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode_inline(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1A, 14, &data);
@@ -2452,7 +2452,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
 }
@@ -2475,7 +2475,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1B, 14, &data);
@@ -2526,7 +2526,7 @@ static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_comp_accel_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
 }
@@ -2549,7 +2549,7 @@ static inline mip_error mip_filter_data_comp_accel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_comp_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode_inline(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1C, 14, &data);
@@ -2615,7 +2615,7 @@ static inline mip_error mip_filter_data_standard_atmosphere_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_standard_atmosphere_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
 }
@@ -2640,7 +2640,7 @@ static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x20, 22, &data);
@@ -2696,7 +2696,7 @@ static inline mip_error mip_filter_data_pressure_altitude_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_pressure_altitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
 }
@@ -2717,7 +2717,7 @@ static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x21, 6, &data);
@@ -2764,7 +2764,7 @@ static inline mip_error mip_filter_data_density_altitude_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_density_altitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
 }
@@ -2785,7 +2785,7 @@ static inline mip_error mip_filter_data_density_altitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_density_altitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode_inline(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x22, 6, &data);
@@ -2836,7 +2836,7 @@ static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
 }
@@ -2859,7 +2859,7 @@ static inline mip_error mip_filter_data_mag_offset_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_offset_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode_inline(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x25, 14, &data);
@@ -2912,7 +2912,7 @@ static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_matrix_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
 }
@@ -2935,7 +2935,7 @@ static inline mip_error mip_filter_data_mag_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x26, 38, &data);
@@ -2987,7 +2987,7 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
 }
@@ -3010,7 +3010,7 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x28, 14, &data);
@@ -3062,7 +3062,7 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
 }
@@ -3085,7 +3085,7 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x29, 38, &data);
@@ -3138,7 +3138,7 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
 }
@@ -3161,7 +3161,7 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x2A, 38, &data);
@@ -3213,7 +3213,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_residual_vector_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
 }
@@ -3236,7 +3236,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x2C, 14, &data);
@@ -3289,7 +3289,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_antenna_offset_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
 }
@@ -3312,7 +3312,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x30, 14, &data);
@@ -3366,7 +3366,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
     const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_uncertainty_codec, value, builder);
 }
@@ -3389,7 +3389,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
     const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x31, 14, &data);
@@ -3446,7 +3446,7 @@ static inline mip_error mip_filter_data_clock_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_clock_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
 }
@@ -3469,7 +3469,7 @@ static inline mip_error mip_filter_data_clock_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_clock_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode_inline(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x32, 11, &data);
@@ -3527,7 +3527,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
 }
@@ -3550,7 +3550,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x33, 11, &data);
@@ -3606,7 +3606,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_correction_codec, value, builder);
@@ -3631,7 +3631,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -3689,7 +3689,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, builder);
@@ -3714,7 +3714,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -3767,7 +3767,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
 }
@@ -3790,7 +3790,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x36, 14, &data);
@@ -3841,7 +3841,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
 }
@@ -3864,7 +3864,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x37, 14, &data);
@@ -3915,7 +3915,7 @@ static inline mip_error mip_filter_data_ecef_position_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
 }
@@ -3938,7 +3938,7 @@ static inline mip_error mip_filter_data_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode_inline(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x40, 26, &data);
@@ -3989,7 +3989,7 @@ static inline mip_error mip_filter_data_ecef_velocity_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
 }
@@ -4012,7 +4012,7 @@ static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x41, 14, &data);
@@ -4063,7 +4063,7 @@ static inline mip_error mip_filter_data_ned_relative_position_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_relative_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
 }
@@ -4086,7 +4086,7 @@ static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x42, 26, &data);
@@ -4140,7 +4140,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
 }
@@ -4163,7 +4163,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x43, 15, &data);
@@ -4219,7 +4219,7 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
 }
@@ -4241,7 +4241,7 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x44, 14, &data);
@@ -4296,7 +4296,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_heading_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
 }
@@ -4320,7 +4320,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x45, 13, &data);
@@ -4375,7 +4375,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
 }
@@ -4398,7 +4398,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x46, 7, &data);
@@ -4450,7 +4450,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
 }
@@ -4471,7 +4471,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x47, 6, &data);
@@ -4524,7 +4524,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
     const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, builder);
@@ -4547,7 +4547,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -4610,7 +4610,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
 }
@@ -4635,7 +4635,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x49, 17, &data);
@@ -4687,7 +4687,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
 }
@@ -4713,7 +4713,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x50, 29, &data);
@@ -4769,7 +4769,7 @@ static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
     const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, builder);
@@ -4796,7 +4796,7 @@ static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
     const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;

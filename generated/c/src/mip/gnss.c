@@ -16,8 +16,8 @@ static const struct mip_response responses_receiver_info[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E, 0x01, 0, NULL,
-                                                             responses_receiver_info};
+const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E,  0x01, 0,
+                                                             false, NULL, responses_receiver_info};
 
 const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
                                                            &mip_gnss_receiver_info_exchange};
@@ -70,8 +70,8 @@ static const struct mip_response responses_signal_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E, 0x02, 0, NULL,
-                                                             responses_signal_config};
+const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E, 0x02, 0,
+                                                             true, NULL, responses_signal_config};
 
 const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
                                                            &mip_gnss_signal_config_exchange};
@@ -107,7 +107,7 @@ const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
                                                         program_receiver_reset,
                                                         NULL};
 
-const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, NULL, NULL};
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, false, NULL, NULL};
 
 const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec,
                                                             &mip_gnss_receiver_reset_exchange};
@@ -131,8 +131,8 @@ static const struct mip_response responses_rtk_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E, 0x04, 0, NULL,
-                                                          responses_rtk_config};
+const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E, 0x04, 0,
+                                                          true, NULL, responses_rtk_config};
 
 const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
                                                         &mip_gnss_rtk_config_exchange};
@@ -180,8 +180,8 @@ static const struct mip_response responses_rtk_dongle_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {0x0E, 0x10, 0, NULL,
-                                                                 responses_rtk_dongle_config};
+const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
+    0x0E, 0x10, 0, true, NULL, responses_rtk_dongle_config};
 
 const struct mip_command mip_gnss_rtk_dongle_config_command = {
     &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange};
@@ -235,8 +235,8 @@ static const struct mip_response responses_spartn_config[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E, 0x20, 0, NULL,
-                                                             responses_spartn_config};
+const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E, 0x20, 0,
+                                                             true, NULL, responses_spartn_config};
 
 const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
                                                            &mip_gnss_spartn_config_exchange};

@@ -175,8 +175,8 @@ static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_i
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
+    const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
 }
 
@@ -212,7 +212,7 @@ static inline mip_error mip_gnss_receiver_info_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_info_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
 }
@@ -270,8 +270,8 @@ static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_con
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
+    const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
 }
 /**
@@ -363,7 +363,7 @@ static inline mip_error mip_gnss_signal_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_signal_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
 }
@@ -387,7 +387,7 @@ static inline mip_error mip_gnss_signal_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_signal_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inline(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x82, 8, &data);
@@ -440,8 +440,8 @@ static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_reset_encode(const struct mip_gnss_receiver_reset *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
+    const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
 }
 
@@ -461,7 +461,7 @@ static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_re
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_receiver_reset_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode_inline(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x03, 2, &data);
@@ -535,8 +535,8 @@ static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
 }
 /**
@@ -613,7 +613,7 @@ static inline mip_error mip_gnss_rtk_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
 }
@@ -634,7 +634,7 @@ static inline mip_error mip_gnss_rtk_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_rtk_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x84, 5, &data);
@@ -688,7 +688,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_do
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_dongle_config_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
 }
@@ -766,7 +766,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
 }
@@ -787,7 +787,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x90, 4, &data);
@@ -866,8 +866,8 @@ static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_con
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
+    const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
 }
 /**
@@ -978,7 +978,7 @@ static inline mip_error mip_gnss_spartn_config_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_spartn_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
 }
@@ -1005,7 +1005,7 @@ static inline mip_error mip_gnss_spartn_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_spartn_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inline(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0xA0, 78, &data);

@@ -678,7 +678,7 @@ static inline mip_error mip_gnss_data_llh_position_decode(struct mip_gnss_data_l
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_llh_position_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_llh_position_codec, value, builder);
 }
@@ -707,7 +707,7 @@ static inline mip_error mip_gnss_data_llh_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode_inline(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -771,7 +771,7 @@ static inline mip_error mip_gnss_data_ecef_position_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_position_codec, value, builder);
 }
@@ -798,7 +798,7 @@ static inline mip_error mip_gnss_data_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -881,7 +881,7 @@ static inline mip_error mip_gnss_data_ned_velocity_decode(struct mip_gnss_data_n
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ned_velocity_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ned_velocity_codec, value, builder);
 }
@@ -912,7 +912,7 @@ static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -979,7 +979,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_velocity_codec, value, builder);
 }
@@ -1006,7 +1006,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1073,8 +1073,8 @@ static inline mip_error mip_gnss_data_dop_decode(struct mip_gnss_data_dop *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dop_codec, value, builder);
 }
 
@@ -1103,8 +1103,8 @@ static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_data_dop *value,
-                                                        struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode_inline(
+    const struct mip_gnss_data_dop *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
@@ -1190,8 +1190,8 @@ static inline mip_error mip_gnss_data_utc_time_decode(struct mip_gnss_data_utc_t
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_utc_time_encode(const struct mip_gnss_data_utc_time *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
+    const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_utc_time_codec, value, builder);
 }
 
@@ -1220,7 +1220,7 @@ static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_utc_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode_inline(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1283,8 +1283,8 @@ static inline mip_error mip_gnss_data_gps_time_decode(struct mip_gnss_data_gps_t
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_time_encode(const struct mip_gnss_data_gps_time *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
+    const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_time_codec, value, builder);
 }
 
@@ -1308,7 +1308,7 @@ static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode_inline(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1374,7 +1374,7 @@ static inline mip_error mip_gnss_data_clock_info_decode(struct mip_gnss_data_clo
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_clock_info_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_codec, value, builder);
 }
@@ -1400,7 +1400,7 @@ static inline mip_error mip_gnss_data_clock_info_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_clock_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode_inline(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1464,8 +1464,8 @@ static inline mip_error mip_gnss_data_fix_info_decode(struct mip_gnss_data_fix_i
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_fix_info_encode(const struct mip_gnss_data_fix_info *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
+    const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_fix_info_codec, value, builder);
 }
 
@@ -1490,7 +1490,7 @@ static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_fix_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode_inline(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1567,8 +1567,8 @@ static inline mip_error mip_gnss_data_sv_info_decode(struct mip_gnss_data_sv_inf
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sv_info_encode(const struct mip_gnss_data_sv_info *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
+    const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sv_info_codec, value, builder);
 }
 
@@ -1596,7 +1596,7 @@ static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sv_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode_inline(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1666,7 +1666,7 @@ static inline mip_error mip_gnss_data_hardware_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_hardware_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_hardware_status_codec, value, builder);
 }
@@ -1692,7 +1692,7 @@ static inline mip_error mip_gnss_data_hardware_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_hardware_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1773,8 +1773,8 @@ static inline mip_error mip_gnss_data_dgps_info_decode(struct mip_gnss_data_dgps
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_info_encode(const struct mip_gnss_data_dgps_info *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
+    const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_codec, value, builder);
 }
 
@@ -1804,7 +1804,7 @@ static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_da
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1884,7 +1884,7 @@ static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
 }
@@ -1915,7 +1915,7 @@ static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1990,7 +1990,7 @@ static inline mip_error mip_gnss_data_dgps_channel_decode(struct mip_gnss_data_d
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_channel_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_channel_codec, value, builder);
 }
@@ -2017,7 +2017,7 @@ static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2090,7 +2090,7 @@ static inline mip_error mip_gnss_data_clock_info_2_decode(struct mip_gnss_data_c
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_clock_info_2_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_2_codec, value, builder);
 }
@@ -2117,7 +2117,7 @@ static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2174,7 +2174,7 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_leap_seconds_codec, value, builder);
 }
@@ -2198,7 +2198,7 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2272,8 +2272,8 @@ static inline mip_error mip_gnss_data_sbas_info_decode(struct mip_gnss_data_sbas
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sbas_info_encode(const struct mip_gnss_data_sbas_info *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
+    const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_info_codec, value, builder);
 }
 
@@ -2301,7 +2301,7 @@ static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_da
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sbas_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2388,7 +2388,7 @@ static inline mip_error mip_gnss_data_sbas_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sbas_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_correction_codec, value, builder);
 }
@@ -2420,7 +2420,7 @@ static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2502,7 +2502,7 @@ static inline mip_error mip_gnss_data_rf_error_detection_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_rf_error_detection_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rf_error_detection_codec, value, builder);
 }
@@ -2530,7 +2530,7 @@ static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2598,8 +2598,8 @@ static inline mip_error mip_gnss_data_heading_decode(struct mip_gnss_data_headin
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_heading_encode(const struct mip_gnss_data_heading *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
+    const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_heading_codec, value, builder);
 }
 
@@ -2624,7 +2624,7 @@ static inline mip_error mip_gnss_data_heading_decode_inline(struct mip_gnss_data
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode_inline(
     const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2717,7 +2717,7 @@ static inline mip_error mip_gnss_data_satellite_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_satellite_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_satellite_status_codec, value, builder);
 }
@@ -2749,7 +2749,7 @@ static inline mip_error mip_gnss_data_satellite_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_satellite_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2884,8 +2884,8 @@ static inline mip_error mip_gnss_data_raw_decode(struct mip_gnss_data_raw *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_raw_codec, value, builder);
 }
 
@@ -2925,8 +2925,8 @@ static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_data_raw *value,
-                                                        struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode_inline(
+    const struct mip_gnss_data_raw *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
@@ -3021,7 +3021,7 @@ static inline mip_error mip_gnss_data_base_station_info_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_base_station_info_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_base_station_info_codec, value, builder);
 }
@@ -3052,7 +3052,7 @@ static inline mip_error mip_gnss_data_base_station_info_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_base_station_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3152,7 +3152,7 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rtk_corrections_status_codec, value, builder);
 }
@@ -3186,7 +3186,7 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3393,7 +3393,7 @@ static inline mip_error mip_gnss_data_gps_ephemeris_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_ephemeris_codec, value, builder);
 }
@@ -3449,7 +3449,7 @@ static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3640,7 +3640,7 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_glonass_ephemeris_codec, value, builder);
 }
@@ -3693,7 +3693,7 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3923,7 +3923,7 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_ephemeris_codec, value, builder);
 }
@@ -3979,7 +3979,7 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4212,7 +4212,7 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_ephemeris_codec, value, builder);
 }
@@ -4268,7 +4268,7 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4369,7 +4369,7 @@ static inline mip_error mip_gnss_data_gps_iono_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_iono_correction_codec, value, builder);
 }
@@ -4400,7 +4400,7 @@ static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4478,7 +4478,7 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_iono_correction_codec, value, builder);
 }
@@ -4507,7 +4507,7 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4587,7 +4587,7 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_iono_correction_codec, value, builder);
 }
@@ -4621,7 +4621,7 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);

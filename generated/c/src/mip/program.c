@@ -25,6 +25,9 @@ struct stream {
     bool optional;
     bool cut;
     bool stopped;
+    /** Are parameters left out? What is in memory of them is looked at, so that none that has a
+     * value is left out silently. */
+    bool absent;
 };
 
 /** Ends the run; false, so that callers can return it. */
@@ -95,7 +98,8 @@ static bool group(struct stream *s, unsigned count) {
         if (s->present > before && s->present < last) {
             return fail(s, MIP_ERROR_MISSING);
         }
-        s->stopped = s->present < last;
+        s->absent = s->present < last;
+        return true;
     } else {
         s->present = before;
         s->mark = s->at;
@@ -147,6 +151,15 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             n = (n > 0 ? n : *p++) * times;
             times = 1;
             uint8_t *memory = base + place(s, &p);
+            if (s->absent) {
+                const size_t size = kind == MIP_KIND_DOUBLE ? sizeof(double) : 1U << (kind & 3);
+                for (size_t i = 0; i < n * size; i++) {
+                    if (memory[i] != 0) {
+                        return fail(s, MIP_ERROR_MISSING);
+                    }
+                }
+                continue;
+            }
             uint8_t *wire = take(s, n << (kind & 3));
             if (wire == NULL) {
                 return false;
@@ -182,7 +195,7 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             break;
         }
         case MIP_STEP_CONSTANT:
-            if (!constant(s, p + 1, p[0])) {
+            if (!s->absent && !constant(s, p + 1, p[0])) {
                 return false;
             }
             p += 1 + p[0];
@@ -221,6 +234,11 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             }
             break;
         }
+        case MIP_STEP_RESERVED:
+            if (s->absent) {
+                return false;
+            }
+            break;
         case MIP_STEP_END:
             return true;
         default: /* a group */
@@ -276,7 +294,7 @@ static mip_error write_field(const struct mip_codec *codec, const void *value, u
     s.writing = true;
     /* Nothing is written to the structure. */
     run(&s, codec->program, (uint8_t *)(uintptr_t)value);
-    if (!s.stopped && s.present > s.last) {
+    if (s.error == MIP_OK && s.present > s.last) {
         s.error = MIP_ERROR_MISSING;
     }
     *size = (size_t)(s.at - data);

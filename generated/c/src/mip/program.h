@@ -67,6 +67,8 @@ enum {
     MIP_STEP_EACH,
     /** Of MIP_SWITCH. */
     MIP_STEP_SWITCH,
+    /** Of MIP_RESERVED. */
+    MIP_STEP_RESERVED,
     /** Of MIP_GROUP. */
     MIP_STEP_GROUP
 };
@@ -94,6 +96,9 @@ enum {
 #define MIP_GROUP(count) MIP_STEP_GROUP + (count)
 /** The same for more of them. */
 #define MIP_LARGE_GROUP(count) MIP_STEP_GROUP, count
+/** The parameters of the group that begins may have values even if they are left out: constructors
+ * fill in what is reserved. */
+#define MIP_RESERVED MIP_STEP_RESERVED
 /** Bytes that are always the same. */
 #define MIP_CONSTANT(size, ...) MIP_STEP_CONSTANT, size, __VA_ARGS__
 /** The next step is repeated as often as a member of `size` bytes says, at most `capacity`

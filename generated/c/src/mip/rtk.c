@@ -22,8 +22,8 @@ static const struct mip_response responses_get_status_flags[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_status_flags_exchange = {0x0F, 0x01, 0, NULL,
-                                                               responses_get_status_flags};
+const struct mip_exchange mip_rtk_get_status_flags_exchange = {
+    0x0F, 0x01, 0, false, NULL, responses_get_status_flags};
 
 const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec,
                                                              &mip_rtk_get_status_flags_exchange};
@@ -56,7 +56,8 @@ static const struct mip_response responses_get_imei[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F, 0x02, 0, NULL, responses_get_imei};
+const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F,  0x02, 0,
+                                                       false, NULL, responses_get_imei};
 
 const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec,
                                                      &mip_rtk_get_imei_exchange};
@@ -88,7 +89,8 @@ static const struct mip_response responses_get_imsi[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F, 0x03, 0, NULL, responses_get_imsi};
+const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F,  0x03, 0,
+                                                       false, NULL, responses_get_imsi};
 
 const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec,
                                                      &mip_rtk_get_imsi_exchange};
@@ -121,7 +123,8 @@ static const struct mip_response responses_get_iccid[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F, 0x04, 0, NULL, responses_get_iccid};
+const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F,  0x04, 0,
+                                                        false, NULL, responses_get_iccid};
 
 const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec,
                                                       &mip_rtk_get_iccid_exchange};
@@ -154,7 +157,8 @@ static const struct mip_response responses_get_rssi[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F, 0x05, 0, NULL, responses_get_rssi};
+const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F,  0x05, 0,
+                                                       false, NULL, responses_get_rssi};
 
 const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec,
                                                      &mip_rtk_get_rssi_exchange};
@@ -201,7 +205,7 @@ static const struct mip_response responses_connected_device_type[] = {
 };
 
 const struct mip_exchange mip_rtk_connected_device_type_exchange = {
-    0x0F, 0x06, 0, NULL, responses_connected_device_type};
+    0x0F, 0x06, 0, true, NULL, responses_connected_device_type};
 
 const struct mip_command mip_rtk_connected_device_type_command = {
     &mip_rtk_connected_device_type_codec, &mip_rtk_connected_device_type_exchange};
@@ -242,8 +246,8 @@ static const struct mip_response responses_get_activation_code[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_get_activation_code_exchange = {0x0F, 0x07, 0, NULL,
-                                                                  responses_get_activation_code};
+const struct mip_exchange mip_rtk_get_activation_code_exchange = {
+    0x0F, 0x07, 0, false, NULL, responses_get_activation_code};
 
 const struct mip_command mip_rtk_get_activation_code_command = {
     &mip_rtk_get_activation_code_codec, &mip_rtk_get_activation_code_exchange};
@@ -286,7 +290,7 @@ static const struct mip_response responses_get_modem_firmware_version[] = {
 };
 
 const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange = {
-    0x0F, 0x08, 0, NULL, responses_get_modem_firmware_version};
+    0x0F, 0x08, 0, false, NULL, responses_get_modem_firmware_version};
 
 const struct mip_command mip_rtk_get_modem_firmware_version_command = {
     &mip_rtk_get_modem_firmware_version_codec, &mip_rtk_get_modem_firmware_version_exchange};
@@ -328,8 +332,8 @@ static const struct mip_response responses_service_status[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_rtk_service_status_exchange = {0x0F, 0x0A, 0, NULL,
-                                                             responses_service_status};
+const struct mip_exchange mip_rtk_service_status_exchange = {0x0F,  0x0A, 0,
+                                                             false, NULL, responses_service_status};
 
 const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec,
                                                            &mip_rtk_service_status_exchange};
@@ -367,7 +371,7 @@ const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
                                                       program_erase_storage,
                                                       NULL};
 
-const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, NULL, NULL};
+const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, false, NULL, NULL};
 
 const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec,
                                                           &mip_rtk_erase_storage_exchange};
@@ -382,7 +386,7 @@ const struct mip_codec mip_rtk_led_control_codec = {
     0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
     0,    false, program_led_control, NULL};
 
-const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, NULL, NULL};
+const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, false, NULL, NULL};
 
 const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec,
                                                         &mip_rtk_led_control_exchange};
@@ -401,7 +405,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          program_modem_hard_reset,
                                                          NULL};
 
-const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, NULL, NULL};
+const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, false, NULL, NULL};
 
 const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec,
                                                              &mip_rtk_modem_hard_reset_exchange};

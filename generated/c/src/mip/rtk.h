@@ -110,7 +110,7 @@ static inline mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_statu
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_status_flags_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
@@ -145,7 +145,7 @@ static inline mip_error mip_rtk_get_status_flags_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_status_flags_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
 }
@@ -165,7 +165,7 @@ static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x81, 4, &data);
@@ -208,8 +208,8 @@ static inline mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
 
@@ -242,7 +242,7 @@ static inline mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imei_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
 }
@@ -263,7 +263,7 @@ static inline mip_error mip_rtk_get_imei_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_imei_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x82, 32, &data);
@@ -306,8 +306,8 @@ static inline mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
 
@@ -340,7 +340,7 @@ static inline mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imsi_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
 }
@@ -361,7 +361,7 @@ static inline mip_error mip_rtk_get_imsi_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_imsi_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x83, 32, &data);
@@ -404,8 +404,8 @@ static inline mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
 
@@ -438,7 +438,7 @@ static inline mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_icc
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_iccid_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
 }
@@ -459,7 +459,7 @@ static inline mip_error mip_rtk_get_iccid_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_iccid_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x84, 32, &data);
@@ -502,8 +502,8 @@ static inline mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
 
@@ -541,7 +541,7 @@ static inline mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_rssi_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
 }
@@ -563,7 +563,7 @@ static inline mip_error mip_rtk_get_rssi_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_rssi_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x85, 9, &data);
@@ -617,7 +617,7 @@ static inline mip_error mip_rtk_connected_device_type_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_connected_device_type_encode(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
 }
@@ -692,7 +692,7 @@ static inline mip_error mip_rtk_connected_device_type_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_connected_device_type_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
 }
@@ -712,7 +712,7 @@ static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x86, 1, &data);
@@ -755,7 +755,7 @@ static inline mip_error mip_rtk_get_activation_code_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_activation_code_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
@@ -791,7 +791,7 @@ static inline mip_error mip_rtk_get_activation_code_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_activation_code_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
 }
@@ -812,7 +812,7 @@ static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x87, 32, &data);
@@ -856,7 +856,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_modem_firmware_version_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
@@ -891,7 +891,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
 }
@@ -912,7 +912,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x88, 32, &data);
@@ -959,8 +959,8 @@ static inline mip_error mip_rtk_service_status_decode(struct mip_rtk_service_sta
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
+    const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_codec, value, builder);
 }
 
@@ -980,7 +980,7 @@ static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_serv
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_service_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x0A, 8, &data);
@@ -1031,7 +1031,7 @@ static inline mip_error mip_rtk_service_status_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_service_status_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
 }
@@ -1054,7 +1054,7 @@ static inline mip_error mip_rtk_service_status_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_service_status_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inline(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x8A, 17, &data);
@@ -1104,8 +1104,8 @@ static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storag
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_storage *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode(
+    const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
 }
 
@@ -1124,7 +1124,7 @@ static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_erase_storage_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x20, 1, &data);
@@ -1185,8 +1185,8 @@ static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_control *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_rtk_led_control_encode(const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_led_control_codec, value, builder);
 }
 
@@ -1208,8 +1208,8 @@ static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_con
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_led_control *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_led_control_encode_inline(
+    const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x21, 11, &data);
     if (error != MIP_OK) {
@@ -1275,7 +1275,7 @@ static inline mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_har
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_modem_hard_reset_encode(
+MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
 }

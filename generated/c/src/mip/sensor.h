@@ -81,8 +81,8 @@ static inline mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_accel_codec, value, builder);
 }
 
@@ -103,8 +103,8 @@ static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sensor_raw_accel *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_accel_encode_inline(
+    const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x01, 12, &data);
     if (error != MIP_OK) {
@@ -148,8 +148,8 @@ static inline mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_gyro_codec, value, builder);
 }
 
@@ -170,8 +170,8 @@ static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_sensor_raw_gyro *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_gyro_encode_inline(
+    const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x02, 12, &data);
     if (error != MIP_OK) {
@@ -219,8 +219,8 @@ static inline mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_mag_codec, value, builder);
 }
 
@@ -241,8 +241,8 @@ static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_m
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor_raw_mag *value,
-                                                         struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_mag_encode_inline(
+    const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x03, 12, &data);
     if (error != MIP_OK) {
@@ -286,8 +286,8 @@ static inline mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode(
+    const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_accel_codec, value, builder);
 }
 
@@ -308,7 +308,7 @@ static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode_inline(
     const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x04, 12, &data);
@@ -353,8 +353,8 @@ static inline mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_g
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode(
+    const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_gyro_codec, value, builder);
 }
 
@@ -375,7 +375,7 @@ static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_s
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_gyro_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x05, 12, &data);
@@ -419,8 +419,8 @@ static inline mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_ma
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode(
+    const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_mag_codec, value, builder);
 }
 
@@ -441,7 +441,7 @@ static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_sc
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_mag_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode_inline(
     const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x06, 12, &data);
@@ -486,8 +486,8 @@ static inline mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_th
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode(
+    const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_theta_codec, value, builder);
 }
 
@@ -508,7 +508,7 @@ static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_delta_theta_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode_inline(
     const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x07, 12, &data);
@@ -555,7 +555,7 @@ static inline mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_delta_velocity_encode(
+MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_velocity_codec, value, builder);
 }
@@ -577,7 +577,7 @@ static inline mip_error mip_sensor_delta_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_delta_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode_inline(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x08, 12, &data);
@@ -629,7 +629,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_orientation_matrix_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_matrix_codec, value, builder);
 }
@@ -651,7 +651,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x09, 36, &data);
@@ -702,7 +702,7 @@ static inline mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_quaternion_codec, value, builder);
 }
@@ -724,7 +724,7 @@ static inline mip_error mip_sensor_comp_quaternion_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_quaternion_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0A, 16, &data);
@@ -774,7 +774,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_update_matrix_codec, value, builder);
 }
@@ -796,7 +796,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0B, 36, &data);
@@ -847,7 +847,7 @@ static inline mip_error mip_sensor_comp_euler_angles_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_euler_angles_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_euler_angles_codec, value, builder);
 }
@@ -869,7 +869,7 @@ static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0C, 12, &data);
@@ -922,7 +922,7 @@ static inline mip_error mip_sensor_orientation_raw_temperature_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_orientation_raw_temperature_encode(
+MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_orientation_raw_temperature_codec, value, builder);
 }
@@ -944,7 +944,7 @@ static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0D, 8, &data);
@@ -992,7 +992,7 @@ static inline mip_error mip_sensor_internal_timestamp_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_internal_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_internal_timestamp_codec, value, builder);
 }
@@ -1012,7 +1012,7 @@ static inline mip_error mip_sensor_internal_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_internal_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0E, 4, &data);
@@ -1064,7 +1064,7 @@ static inline mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_ti
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_pps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_codec, value, builder);
 }
@@ -1089,7 +1089,7 @@ static inline mip_error mip_sensor_pps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_pps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 8, &data);
@@ -1146,7 +1146,7 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_with_flags_codec, value, builder);
 }
@@ -1172,7 +1172,7 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 9, &data);
@@ -1221,8 +1221,8 @@ static inline mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode(
+    const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_north_vector_codec, value, builder);
 }
 
@@ -1243,7 +1243,7 @@ static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_north_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode_inline(
     const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x10, 12, &data);
@@ -1293,8 +1293,8 @@ static inline mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_up_vector_codec, value, builder);
 }
 
@@ -1315,8 +1315,8 @@ static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sensor_up_vector *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_up_vector_encode_inline(
+    const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x11, 12, &data);
     if (error != MIP_OK) {
@@ -1383,7 +1383,7 @@ static inline mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_ti
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_gps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_gps_timestamp_codec, value, builder);
 }
@@ -1405,7 +1405,7 @@ static inline mip_error mip_sensor_gps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_gps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x12, 12, &data);
@@ -1456,7 +1456,7 @@ static inline mip_error mip_sensor_temperature_statistics_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_temperature_statistics_encode(
+MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_temperature_statistics_codec, value, builder);
 }
@@ -1478,7 +1478,7 @@ static inline mip_error mip_sensor_temperature_statistics_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_temperature_statistics_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode_inline(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x14, 12, &data);
@@ -1522,8 +1522,8 @@ static inline mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pre
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode(
+    const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_pressure_codec, value, builder);
 }
 
@@ -1542,7 +1542,7 @@ static inline mip_error mip_sensor_raw_pressure_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_pressure_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode_inline(
     const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x16, 4, &data);
@@ -1585,7 +1585,7 @@ static inline mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scal
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_pressure_encode(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_pressure_codec, value, builder);
 }
@@ -1605,7 +1605,7 @@ static inline mip_error mip_sensor_scaled_pressure_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_pressure_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x17, 4, &data);
@@ -1647,7 +1647,7 @@ static inline mip_error mip_sensor_overrange_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_overrange_status_encode(
+MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_overrange_status_codec, value, builder);
 }
@@ -1667,7 +1667,7 @@ static inline mip_error mip_sensor_overrange_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_overrange_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode_inline(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x18, 2, &data);
@@ -1719,8 +1719,8 @@ static inline mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *v
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_odometer_encode(const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_odometer_codec, value, builder);
 }
 
@@ -1741,8 +1741,8 @@ static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odom
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_odometer_encode_inline(const struct mip_sensor_odometer *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_odometer_encode_inline(
+    const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x40, 10, &data);
     if (error != MIP_OK) {

@@ -70,8 +70,8 @@ static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_s
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
+    const struct mip_shared_event_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_event_source_codec, value, builder);
 }
 
@@ -90,7 +90,7 @@ static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_event_source_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_event_source_encode_inline(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD0, 1, &data);
@@ -136,8 +136,8 @@ static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_shared_ticks_codec, value, builder);
 }
 
@@ -156,8 +156,8 @@ static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD1, 4, &data);
     if (error != MIP_OK) {
@@ -201,8 +201,8 @@ static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ti
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
+    const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
 }
 
@@ -221,7 +221,7 @@ static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_delta_ticks_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode_inline(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD2, 4, &data);
@@ -284,7 +284,7 @@ static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_ti
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_gps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
 }
@@ -306,7 +306,7 @@ static inline mip_error mip_shared_gps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_gps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 12, &data);
@@ -354,8 +354,8 @@ static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_tim
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
+    const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_time_codec, value, builder);
 }
 
@@ -374,7 +374,7 @@ static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_de
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_delta_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_delta_time_encode_inline(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD4, 8, &data);
@@ -421,7 +421,7 @@ static inline mip_error mip_shared_reference_timestamp_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_reference_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
 }
@@ -441,7 +441,7 @@ static inline mip_error mip_shared_reference_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_reference_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode_inline(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD5, 8, &data);
@@ -486,7 +486,7 @@ static inline mip_error mip_shared_reference_time_delta_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_reference_time_delta_encode(
+MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
 }
@@ -506,7 +506,7 @@ static inline mip_error mip_shared_reference_time_delta_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_reference_time_delta_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode_inline(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD6, 8, &data);
@@ -568,7 +568,7 @@ static inline mip_error mip_shared_external_timestamp_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_external_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
 }
@@ -589,7 +589,7 @@ static inline mip_error mip_shared_external_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_external_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode_inline(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD7, 10, &data);
@@ -642,7 +642,7 @@ static inline mip_error mip_shared_external_time_delta_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_external_time_delta_encode(
+MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
 }
@@ -663,7 +663,7 @@ static inline mip_error mip_shared_external_time_delta_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_external_time_delta_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode_inline(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD8, 10, &data);

@@ -32,8 +32,8 @@ static const struct mip_response responses_interface_control[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_system_interface_control_exchange = {0x7F, 0x02, 0, NULL,
-                                                                   responses_interface_control};
+const struct mip_exchange mip_system_interface_control_exchange = {
+    0x7F, 0x02, 0, true, NULL, responses_interface_control};
 
 const struct mip_command mip_system_interface_control_command = {
     &mip_system_interface_control_codec, &mip_system_interface_control_exchange};
@@ -72,8 +72,8 @@ static const struct mip_response responses_comm_mode[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_system_comm_mode_exchange = {0x7F, 0x10, 0, NULL,
-                                                           responses_comm_mode};
+const struct mip_exchange mip_system_comm_mode_exchange = {0x7F, 0x10, 0,
+                                                           true, NULL, responses_comm_mode};
 
 const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec,
                                                          &mip_system_comm_mode_exchange};

@@ -109,7 +109,7 @@ static inline mip_error mip_system_interface_control_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_interface_control_encode(
+MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
 }
@@ -221,7 +221,7 @@ static inline mip_error mip_system_interface_control_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_interface_control_response_encode(
+MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_response_codec, value, builder);
 }
@@ -243,7 +243,7 @@ static inline mip_error mip_system_interface_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_interface_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode_inline(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x7F, 0x82, 9, &data);
@@ -303,8 +303,8 @@ static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm_mode *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
 }
 /**
@@ -383,7 +383,7 @@ static inline mip_error mip_system_comm_mode_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_comm_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
 }
@@ -403,7 +403,7 @@ static inline mip_error mip_system_comm_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_comm_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode_inline(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x7F, 0x90, 1, &data);

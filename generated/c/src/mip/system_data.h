@@ -76,7 +76,7 @@ static inline mip_error mip_system_data_built_in_test_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_built_in_test_encode(
+MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
 }
@@ -96,7 +96,7 @@ static inline mip_error mip_system_data_built_in_test_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_built_in_test_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x01, 16, &data);
@@ -141,7 +141,7 @@ static inline mip_error mip_system_data_time_sync_status_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_time_sync_status_encode(
+MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
 }
@@ -162,7 +162,7 @@ static inline mip_error mip_system_data_time_sync_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_time_sync_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inline(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x02, 2, &data);
@@ -214,7 +214,7 @@ static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_gpio_state_encode(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
 }
@@ -234,7 +234,7 @@ static inline mip_error mip_system_data_gpio_state_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_gpio_state_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x03, 1, &data);
@@ -281,7 +281,7 @@ static inline mip_error mip_system_data_gpio_analog_value_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_gpio_analog_value_encode(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
 }
@@ -302,7 +302,7 @@ static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x04, 5, &data);

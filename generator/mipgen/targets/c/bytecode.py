@@ -84,7 +84,8 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
         steps.append(_optional(f))
     steps += _steps((p for p in f.always if not (f.optional and p.selector)), base)  # the selector is part of that step
     for group in f.groups:
-        steps += [_group(len(group.parameters)), *_steps(group.parameters, base)]
+        reserved = [Step("MIP_RESERVED", (), 1)] if any(p.reserved for p in group.parameters) else []
+        steps += [_group(len(group.parameters)), *reserved, *_steps(group.parameters, base)]
     return _source(steps, far)[0]
 
 

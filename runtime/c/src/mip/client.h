@@ -60,6 +60,8 @@ struct mip_exchange {
     uint8_t descriptor;
     /** Milliseconds that a device may take to answer; 0: no longer than usual. */
     uint16_t timeout;
+    /** Does it begin with a function selector? */
+    bool selects;
     /** The condition under which the device leaves it unanswered; NULL if it always answers. */
     const uint8_t *silent;
     /** Its responses, up to an entry without a descriptor; NULL if it has none. */
@@ -129,15 +131,21 @@ struct mip_client {
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
 MIP_API void mip_client_init(struct mip_client *client);
 
+/** Adds a command to a packet. A function selector that was left 0 is MIP_ERROR_MISSING: no device
+ * answers it. On an error the packet is unchanged. */
+MIP_CHECKED MIP_API mip_error mip_command_encode(const struct mip_command *command,
+                                                 const void *value, struct mip_builder *packet);
+
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
  * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
  * structure of the command, or NULL if it has no parameters. A request that still waits in this
  * client is cancelled first; one that waits in another client must be cancelled there before.
  */
-MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
-                                 struct mip_builder *packet, const struct mip_command *command,
-                                 const void *value, uint32_t now);
+MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
+                                             struct mip_builder *packet,
+                                             const struct mip_command *command, const void *value,
+                                             uint32_t now);
 
 /** The same for a command that is already in the packet, as its last field: `size` bytes of data.
  */
@@ -162,10 +170,12 @@ MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_cod
  * `response` may be NULL. The generated functions mip_send_... call this with the types of each
  * command.
  */
-MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request *request,
-                                  struct mip_builder *packet, const struct mip_command *command,
-                                  const void *value, const struct mip_codec *codec, void *response,
-                                  uint32_t now);
+MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
+                                              struct mip_request *request,
+                                              struct mip_builder *packet,
+                                              const struct mip_command *command, const void *value,
+                                              const struct mip_codec *codec, void *response,
+                                              uint32_t now);
 
 /**
  * Processes a received packet. True if it answered any request; the answered requests are no longer

@@ -46,7 +46,8 @@ typedef enum mip_error {
     MIP_ERROR_COUNT,
     /** A constant has another value. */
     MIP_ERROR_CONSTANT,
-    /** The number of present parameters ends between a counter and its array, or is too large. */
+    /** The number of present parameters ends between a counter and its array, or is too large, or
+     * parameters that it leaves out have values; or a command has no function. */
     MIP_ERROR_MISSING,
     /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET,
@@ -195,7 +196,18 @@ struct mip_builder {
     size_t capacity;
     /** Bytes used, without the checksum. */
     size_t length;
+    /** The first error of starting the packet or adding to it, for those who ask once at the end;
+     * MIP_OK if there was none. What was refused is not in the packet, which stays valid. */
+    mip_error error;
 };
+
+/** Remembers the first error, and returns this one. */
+static inline mip_error mip_builder_note(struct mip_builder *builder, mip_error error) {
+    if (builder->error == MIP_OK) {
+        builder->error = error;
+    }
+    return error;
+}
 
 /**
  * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
@@ -206,11 +218,12 @@ static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *
     builder->buffer = buffer;
     builder->capacity = 0;
     builder->length = 0;
+    builder->error = MIP_OK;
     if (!mip_set_valid(descriptor_set)) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
     if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     buffer[0] = MIP_SYNC_1;
     buffer[1] = MIP_SYNC_2;
@@ -227,8 +240,8 @@ static inline uint8_t mip_builder_set(const struct mip_builder *builder) {
 }
 
 /** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
-MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
-                                  size_t size);
+MIP_CHECKED MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor,
+                                              const void *data, size_t size);
 
 /** Writes the checksum and returns the packet. More fields may be added before finishing again. */
 static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) {
@@ -383,8 +396,8 @@ static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t d
  * Encodes a field of any type into a packet. On an error the packet is unchanged. `value` may be
  * NULL if the field has no parameters.
  */
-MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
-                             struct mip_builder *builder);
+MIP_CHECKED MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
+                                         struct mip_builder *builder);
 
 /** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
  * data sets. */
@@ -410,10 +423,10 @@ static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t
                                             uint8_t descriptor, size_t size, uint8_t **data) {
     const size_t end = builder->length + 2 + size;
     if (end + MIP_CHECKSUM_SIZE > builder->capacity) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     if (!mip_set_has(builder->buffer[2], descriptor_set)) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
     uint8_t *at = builder->buffer + builder->length;
     at[0] = (uint8_t)(size + 2);

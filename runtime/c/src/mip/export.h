@@ -1,7 +1,7 @@
 /**
  * @file
  * What is said to compilers that understand it: MIP_API marks what a shared library exports,
- * MIP_QUICK and MIP_APART what is compiled for speed.
+ * MIP_QUICK and MIP_APART what is compiled for speed, MIP_CHECKED what callers must look at.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -23,6 +23,14 @@
 #define MIP_API __attribute__((visibility("default")))
 #else
 #define MIP_API
+#endif
+
+/** Before a function whose result says whether it has done anything: compilers warn if that is
+ * ignored. */
+#ifdef __GNUC__
+#define MIP_CHECKED __attribute__((warn_unused_result))
+#else
+#define MIP_CHECKED
 #endif
 
 /* The way of most fields is one function without calls; what others need is apart from it. */

@@ -72,8 +72,8 @@ static inline mip_error mip_measurements_accel_decode(struct mip_measurements_ac
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_accel_encode(
+    const struct mip_measurements_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_accel_codec, value, builder);
 }
 
@@ -98,7 +98,7 @@ static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurem
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_accel_encode_inline(
     const struct mip_measurements_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -168,7 +168,7 @@ static inline mip_error mip_measurements_numbers_decode(struct mip_measurements_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_numbers_encode(
+MIP_CHECKED static inline mip_error mip_measurements_numbers_encode(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_numbers_codec, value, builder);
 }
@@ -201,7 +201,7 @@ static inline mip_error mip_measurements_numbers_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_numbers_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_numbers_encode_inline(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -266,7 +266,7 @@ static inline mip_error mip_measurements_strings_decode(struct mip_measurements_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_strings_encode(
+MIP_CHECKED static inline mip_error mip_measurements_strings_encode(
     const struct mip_measurements_strings *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_strings_codec, value, builder);
 }
@@ -305,8 +305,8 @@ static inline mip_error mip_measurements_health_decode(struct mip_measurements_h
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_health_encode(
+    const struct mip_measurements_health *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_health_codec, value, builder);
 }
 
@@ -328,7 +328,7 @@ static inline mip_error mip_measurements_health_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_health_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_health_encode_inline(
     const struct mip_measurements_health *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -384,8 +384,8 @@ static inline mip_error mip_measurements_arrays_decode(struct mip_measurements_a
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_arrays_encode(
+    const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_arrays_codec, value, builder);
 }
 
@@ -425,7 +425,7 @@ static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_arrays_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_arrays_encode_inline(
     const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -502,7 +502,7 @@ static inline mip_error mip_measurements_growing_decode(struct mip_measurements_
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_growing_encode(
+MIP_CHECKED static inline mip_error mip_measurements_growing_encode(
     const struct mip_measurements_growing *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_growing_codec, value, builder);
 }
@@ -551,8 +551,8 @@ static inline mip_error mip_measurements_radio_decode(struct mip_measurements_ra
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_radio_encode(
+    const struct mip_measurements_radio *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_radio_codec, value, builder);
 }
 
@@ -579,7 +579,7 @@ static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurem
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_radio_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_radio_encode_inline(
     const struct mip_measurements_radio *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -630,8 +630,8 @@ static inline mip_error mip_measurements_own_decode(struct mip_measurements_own 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_own_encode(const struct mip_measurements_own *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_measurements_own_encode(const struct mip_measurements_own *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_own_codec, value, builder);
 }
 
@@ -650,8 +650,8 @@ static inline mip_error mip_measurements_own_decode_inline(struct mip_measuremen
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_own_encode_inline(const struct mip_measurements_own *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_own_encode_inline(
+    const struct mip_measurements_own *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x81, 0x07, 1, &data);
     if (error != MIP_OK) {
@@ -696,8 +696,8 @@ static inline mip_error mip_measurements_cloud_decode(struct mip_measurements_cl
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_cloud_encode(
+    const struct mip_measurements_cloud *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_cloud_codec, value, builder);
 }
 
@@ -749,8 +749,8 @@ static inline mip_error mip_measurements_gust_decode(struct mip_measurements_gus
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_gust_encode(
+    const struct mip_measurements_gust *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_gust_codec, value, builder);
 }
 
@@ -792,8 +792,8 @@ static inline mip_error mip_measurements_breeze_decode(struct mip_measurements_b
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_breeze_encode(
+    const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_breeze_codec, value, builder);
 }
 
@@ -819,7 +819,7 @@ static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_breeze_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_breeze_encode_inline(
     const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);

@@ -68,7 +68,7 @@ static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_ackn
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_protocol_acknowledge_encode(
+MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
 }
@@ -89,7 +89,7 @@ static inline mip_error mip_protocol_acknowledge_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_protocol_acknowledge_encode_inline(
+MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode_inline(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x00, 0xF1, 2, &data);

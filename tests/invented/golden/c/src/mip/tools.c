@@ -10,7 +10,7 @@ static const uint8_t program_ping[] = {
 const struct mip_codec mip_tools_ping_codec = {
     0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, false, program_ping, NULL};
 
-const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, NULL, NULL};
+const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
 
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, &mip_tools_ping_exchange};
 
@@ -25,6 +25,7 @@ static const uint8_t program_settings[] = {
     MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_tools_settings, limit)),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_tools_settings, reserved)),
     MIP_END,
 };
@@ -40,8 +41,8 @@ static const struct mip_response responses_settings[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_settings_exchange = {0x01, 0x02, 0, silent_settings,
-                                                         responses_settings};
+const struct mip_exchange mip_tools_settings_exchange = {
+    0x01, 0x02, 0, true, silent_settings, responses_settings};
 
 const struct mip_command mip_tools_settings_command = {&mip_tools_settings_codec,
                                                        &mip_tools_settings_exchange};
@@ -89,8 +90,8 @@ static const struct mip_response responses_set_time[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_set_time_exchange = {0x01, 0x03, 0, silent_set_time,
-                                                         responses_set_time};
+const struct mip_exchange mip_tools_set_time_exchange = {
+    0x01, 0x03, 0, true, silent_set_time, responses_set_time};
 
 const struct mip_command mip_tools_set_time_command = {&mip_tools_set_time_codec,
                                                        &mip_tools_set_time_exchange};
@@ -147,7 +148,8 @@ static const struct mip_response responses_status[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_status_exchange = {0x01, 0x04, 2500, NULL, responses_status};
+const struct mip_exchange mip_tools_status_exchange = {0x01,  0x04, 2500,
+                                                       false, NULL, responses_status};
 
 const struct mip_command mip_tools_status_command = {&mip_tools_status_codec,
                                                      &mip_tools_status_exchange};
@@ -220,7 +222,7 @@ static const struct mip_response responses_bias[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_bias_exchange = {0x01, 0x05, 0, NULL, responses_bias};
+const struct mip_exchange mip_tools_bias_exchange = {0x01, 0x05, 0, true, NULL, responses_bias};
 
 const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, &mip_tools_bias_exchange};
 
@@ -259,8 +261,8 @@ static const struct mip_response responses_capture_bias[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_capture_bias_exchange = {0x01, 0x06, 0, NULL,
-                                                             responses_capture_bias};
+const struct mip_exchange mip_tools_capture_bias_exchange = {0x01,  0x06, 0,
+                                                             false, NULL, responses_capture_bias};
 
 const struct mip_command mip_tools_capture_bias_command = {&mip_tools_capture_bias_codec,
                                                            &mip_tools_capture_bias_exchange};
@@ -283,7 +285,7 @@ const struct mip_codec mip_tools_formats_codec = {
 
 static const uint8_t silent_formats[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_exchange mip_tools_formats_exchange = {0x01, 0x07, 0, silent_formats, NULL};
+const struct mip_exchange mip_tools_formats_exchange = {0x01, 0x07, 0, false, silent_formats, NULL};
 
 const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec,
                                                       &mip_tools_formats_exchange};
@@ -335,7 +337,7 @@ static const struct mip_response responses_choice[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_choice_exchange = {0x01, 0x08, 0, NULL, responses_choice};
+const struct mip_exchange mip_tools_choice_exchange = {0x01, 0x08, 0, true, NULL, responses_choice};
 
 const struct mip_command mip_tools_choice_command = {&mip_tools_choice_codec,
                                                      &mip_tools_choice_exchange};
@@ -405,7 +407,7 @@ static const struct mip_response responses_list[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_list_exchange = {0x01, 0x09, 0, NULL, responses_list};
+const struct mip_exchange mip_tools_list_exchange = {0x01, 0x09, 0, true, NULL, responses_list};
 
 const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, &mip_tools_list_exchange};
 
@@ -433,7 +435,7 @@ static const struct mip_response responses_stock[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_stock_exchange = {0x01, 0x0A, 0, NULL, responses_stock};
+const struct mip_exchange mip_tools_stock_exchange = {0x01, 0x0A, 0, false, NULL, responses_stock};
 
 const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec,
                                                     &mip_tools_stock_exchange};
@@ -466,7 +468,7 @@ static const struct mip_response responses_pin[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_pin_exchange = {0x01, 0x0B, 0, NULL, responses_pin};
+const struct mip_exchange mip_tools_pin_exchange = {0x01, 0x0B, 0, true, NULL, responses_pin};
 
 const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, &mip_tools_pin_exchange};
 
@@ -500,7 +502,7 @@ static const struct mip_response responses_hello[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_hello_exchange = {0x01, 0x0C, 0, NULL, responses_hello};
+const struct mip_exchange mip_tools_hello_exchange = {0x01, 0x0C, 0, false, NULL, responses_hello};
 
 const struct mip_command mip_tools_hello_command = {&mip_tools_hello_codec,
                                                     &mip_tools_hello_exchange};
@@ -541,7 +543,8 @@ static const struct mip_response responses_readings[] = {
     {NULL, NULL, 0},
 };
 
-const struct mip_exchange mip_tools_readings_exchange = {0x01, 0x0D, 0, NULL, responses_readings};
+const struct mip_exchange mip_tools_readings_exchange = {0x01,  0x0D, 0,
+                                                         false, NULL, responses_readings};
 
 const struct mip_command mip_tools_readings_command = {&mip_tools_readings_codec,
                                                        &mip_tools_readings_exchange};
@@ -584,6 +587,6 @@ const struct mip_codec mip_tools_poll_codec = {
     0x01, 0x0E,  MIP_COMMAND,  0,           sizeof(struct mip_tools_poll),
     0,    false, program_poll, &mip_program};
 
-const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, NULL, NULL};
+const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, NULL, NULL};
 
 const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, &mip_tools_poll_exchange};

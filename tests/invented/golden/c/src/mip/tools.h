@@ -174,8 +174,8 @@ static inline mip_error mip_tools_ping_decode(struct mip_tools_ping *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
 }
 
@@ -239,8 +239,8 @@ static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_settings_encode(const struct mip_tools_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
 }
 /**
@@ -377,7 +377,7 @@ static inline mip_error mip_tools_settings_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_response_codec, value, builder);
 }
@@ -401,7 +401,7 @@ static inline mip_error mip_tools_settings_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_settings_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_settings_response_encode_inline(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x82, 9, &data);
@@ -459,8 +459,8 @@ static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_set_time_encode(const struct mip_tools_set_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
 }
 /**
@@ -535,7 +535,7 @@ static inline mip_error mip_tools_set_time_fast_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_fast_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
 }
@@ -555,7 +555,7 @@ static inline mip_error mip_tools_set_time_fast_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_set_time_fast_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode_inline(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
@@ -596,7 +596,7 @@ static inline mip_error mip_tools_set_time_slow_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_slow_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
 }
@@ -616,7 +616,7 @@ static inline mip_error mip_tools_set_time_slow_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_set_time_slow_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode_inline(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
@@ -663,8 +663,8 @@ static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
 }
 /**
@@ -718,8 +718,8 @@ static inline mip_error mip_tools_status_short_decode(struct mip_tools_status_sh
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
+    const struct mip_tools_status_short *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
 }
 
@@ -765,8 +765,8 @@ static inline mip_error mip_tools_status_long_decode(struct mip_tools_status_lon
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
+    const struct mip_tools_status_long *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
 }
 
@@ -809,8 +809,8 @@ static inline mip_error mip_tools_status_old_decode(struct mip_tools_status_old 
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
 }
 
@@ -857,8 +857,8 @@ static inline mip_error mip_tools_full_decode(struct mip_tools_full *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
 }
 
@@ -902,8 +902,8 @@ static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
 }
 /**
@@ -973,8 +973,8 @@ static inline mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vecto
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
+    const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_vector_codec, value, builder);
 }
 
@@ -995,7 +995,7 @@ static inline mip_error mip_tools_bias_vector_decode_inline(struct mip_tools_bia
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_bias_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode_inline(
     const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x9B, 12, &data);
@@ -1040,8 +1040,8 @@ static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_b
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode(
+    const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_capture_bias_codec, value, builder);
 }
 
@@ -1060,7 +1060,7 @@ static inline mip_error mip_tools_capture_bias_decode_inline(struct mip_tools_ca
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_capture_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode_inline(
     const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x06, 2, &data);
@@ -1119,8 +1119,8 @@ static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
 }
 /**
@@ -1199,8 +1199,8 @@ static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
 }
 /**
@@ -1281,7 +1281,7 @@ static inline mip_error mip_tools_choice_response_decode(struct mip_tools_choice
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_choice_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
 }
@@ -1327,8 +1327,8 @@ static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
 }
 /**
@@ -1389,8 +1389,8 @@ static inline mip_error mip_tools_list_response_decode(struct mip_tools_list_res
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
+    const struct mip_tools_list_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
 }
 
@@ -1427,8 +1427,8 @@ static inline mip_error mip_tools_stock_decode(struct mip_tools_stock *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
 }
 
@@ -1465,7 +1465,7 @@ static inline mip_error mip_tools_stock_response_decode(struct mip_tools_stock_r
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_stock_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
@@ -1513,8 +1513,8 @@ static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
-                                             struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
+                                                         struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
 }
 /**
@@ -1579,8 +1579,8 @@ static inline mip_error mip_tools_pin_response_decode(struct mip_tools_pin_respo
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
+    const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_response_codec, value, builder);
 }
 
@@ -1600,7 +1600,7 @@ static inline mip_error mip_tools_pin_response_decode_inline(struct mip_tools_pi
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_pin_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_pin_response_encode_inline(
     const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x8B, 2, &data);
@@ -1653,8 +1653,8 @@ static inline mip_error mip_tools_hello_decode(struct mip_tools_hello *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
 }
 
@@ -1688,7 +1688,7 @@ static inline mip_error mip_tools_hello_response_decode(struct mip_tools_hello_r
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_hello_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_response_codec, value, builder);
 }
@@ -1708,7 +1708,7 @@ static inline mip_error mip_tools_hello_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_hello_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_hello_response_encode_inline(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x8C, 4, &data);
@@ -1750,8 +1750,8 @@ static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *val
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_readings_encode(const struct mip_tools_readings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_codec, value, builder);
 }
 
@@ -1770,8 +1770,8 @@ static inline mip_error mip_tools_readings_decode_inline(struct mip_tools_readin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_readings *value,
-                                                         struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_readings_encode_inline(
+    const struct mip_tools_readings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x0D, 1, &data);
     if (error != MIP_OK) {
@@ -1833,7 +1833,7 @@ static inline mip_error mip_tools_readings_response_decode(
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_readings_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_readings_response_encode(
     const struct mip_tools_readings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
 }
@@ -1875,8 +1875,8 @@ static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);
 }
 /**
