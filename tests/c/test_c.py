@@ -626,7 +626,8 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
     run(*command)
     found = {name for name in symbols(program) if "mip" in name}
     objects = ("mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_codec_",
-               "mip_decode", "mip_encode", "mip_program", "mip_layout", "mip_move", "mip_copy", "mip_field_", "mip_get_bits", "mip_set_bits",
+               "mip_decode", "mip_encode", "mip_program", "mip_layout", "mip_move",
+               "mip_copy", "mip_field_", "mip_get_bits", "mip_set_bits",
                "mip_set_has", "mip_sum", "mip_version", "mip_widen", "mip_narrow")  # fmt: skip
     assert {n for n in found if not n.startswith(objects)} == set()
     # One that leaves out what is not called takes the functions alone, without the interpreter of other layouts.

@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 def documented(text: str) -> dict[str, str]:
     """Each comment of a header by what it stands before: `mip_x`, `mip_x.member`, `MIP_X`."""
     text = re.sub(r'extern "C" \{|^#ifdef __cplusplus\n\}', "", text, flags=re.M)
-    text = re.sub(r"^(static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
+    text = re.sub(r"^((?:MIP_CHECKED )?static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
     found: dict[str, str] = {}
     scopes: list[str] = []
     doc = ""

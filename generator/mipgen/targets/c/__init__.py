@@ -60,7 +60,8 @@ def code(model: m.Model) -> Iterator[File]:
 
 def everything(made: list[File]) -> list[str]:
     """The headers that programs include; of the runtime too."""
-    return [name for name in present(made) if name.endswith(".h") and name not in ("checksum.h", "export.h", "mip.h", "program.h")]
+    inner = ("checksum.h", "export.h", "mip.h", "program.h")
+    return [name for name in present(made) if name.endswith(".h") and name not in inner]
 
 
 def present(made: list[File]) -> list[str]:
