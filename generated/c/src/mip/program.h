@@ -28,9 +28,13 @@ extern "C" {
 /** The kinds. Their last two bits tell the size of a number: 1, 2, 4 or 8 bytes. Doubles are a kind
  * of their own, which some compilers do not have. */
 #define MIP_KIND_DOUBLE 3
+/** One byte. */
 #define MIP_KIND_8 4
+/** Two bytes. */
 #define MIP_KIND_16 5
+/** Four bytes. */
 #define MIP_KIND_32 6
+/** Eight bytes. */
 #define MIP_KIND_64 7
 
 /** Doubles. */

@@ -36,10 +36,13 @@
 
 /** The sums; only their low eight bits count. */
 struct mip_sums {
+    /** The sum of all bytes. */
     uint32_t a;
+    /** The sum of all values of a. */
     uint32_t b;
 };
 
+/** Byte by byte. */
 static inline struct mip_sums plain(const uint8_t *bytes, size_t size) {
     struct mip_sums s = {0, 0};
     for (size_t i = 0; i < size; i++) {
@@ -61,6 +64,7 @@ static inline uint64_t load(const uint8_t *p) {
            (uint64_t)p[7] << 56;
 }
 
+/** Eight bytes at a time. */
 static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
     if (size < 8) {
         return plain(bytes, size);
@@ -98,11 +102,15 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
 
-/* Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
- * without those that are done: they are replaced by zeros. */
-static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
-                                  0,    0,    0,    0,    0,    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                  0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+/** Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
+ * without those that are done: this replaces them by zeros. */
+static inline const uint8_t *mask(size_t rest) {
+    static const uint8_t bytes[32] = {0,    0,    0,    0,    0,    0,    0,    0,
+                                      0,    0,    0,    0,    0,    0,    0,    0,
+                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+    return bytes + rest;
+}
 
 #endif
 
@@ -110,10 +118,12 @@ static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,  
 
 #include <emmintrin.h>
 
+/** Sixteen bytes. */
 static inline __m128i block(const uint8_t *bytes) {
     return _mm_loadu_si128((const __m128i *)(const void *)bytes);
 }
 
+/** Sixteen bytes at a time. */
 static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     if (size < 16) {
         return plain(bytes, size);
@@ -128,7 +138,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
         done = _mm_add_epi8(done, block(bytes));
         bytes += 16;
     }
-    const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(masks + rest), block(last)));
+    const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(mask(rest)), block(last)));
     const __m128i low = _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16);
     const __m128i high = _mm_set_epi16(1, 2, 3, 4, 5, 6, 7, 8);
     const __m128i inside = _mm_add_epi32(_mm_madd_epi16(_mm_unpacklo_epi8(a, zero), low),
@@ -149,12 +159,14 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
 
 #include <arm_neon.h>
 
+/** The sum of all lanes. */
 static inline uint32_t total(uint16x8_t v) {
     const uint32x4_t sums = vpaddlq_u16(v);
     return vgetq_lane_u32(sums, 0) + vgetq_lane_u32(sums, 1) + vgetq_lane_u32(sums, 2) +
            vgetq_lane_u32(sums, 3);
 }
 
+/** Sixteen bytes at a time. */
 static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     static const uint8_t weights[16] = {16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1};
     if (size < 16) {
@@ -169,7 +181,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
         done = vaddq_u8(done, vld1q_u8(bytes));
         bytes += 16;
     } while (bytes <= last);
-    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(masks + rest), vld1q_u8(last)));
+    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(mask(rest)), vld1q_u8(last)));
     const uint8x16_t inside = vmulq_u8(a, vld1q_u8(weights));
     const uint8x16_t behind = vmulq_u8(done, vdupq_n_u8((uint8_t)rest));
     const uint8x16_t b = vaddq_u8(vaddq_u8(inside, behind), vshlq_n_u8(before, 4));

@@ -25,11 +25,12 @@
 #define MIP_API
 #endif
 
+#ifdef __GNUC__
 /** Before a function whose result says whether it has done anything: compilers warn if that is
  * ignored. */
-#ifdef __GNUC__
 #define MIP_CHECKED __attribute__((warn_unused_result))
 #else
+/** Before a function whose result says whether it has done anything. */
 #define MIP_CHECKED
 #endif
 
