@@ -152,17 +152,15 @@ MIP_APART bool resume(struct mip_parser *parser, const uint8_t **data, size_t *s
     return search(parser, data, size, packet);
 }
 
-#endif
-
-bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                     struct mip_packet *packet) {
-#ifndef __OPTIMIZE_SIZE__
+/** Packet after packet; whatever else there is, is left to search(). */
+MIP_APART bool next(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                    struct mip_packet *packet) {
     const uint8_t *bytes = *data;
     const size_t left = *size;
     if (parser->missing > 0) {
         return resume(parser, data, size, packet);
     }
-    if (parser->length == parser->done) { /* packet after packet */
+    if (parser->length == parser->done) {
         parser->length = 0;
         parser->done = 0;
         if (left >= MIP_HEADER_SIZE && bytes[0] == MIP_SYNC_1 && bytes[1] == MIP_SYNC_2 &&
@@ -186,8 +184,24 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
             }
         }
     }
-#endif
     return search(parser, data, size, packet);
+}
+
+#endif
+
+bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                     struct mip_packet *packet) {
+#ifdef __OPTIMIZE_SIZE__
+    return search(parser, data, size, packet);
+#else
+    if (*size == 1 && parser->missing > 1) { /* byte by byte, as an interrupt feeds it */
+        parser->buffer[parser->length++] = *(*data)++;
+        parser->missing--;
+        *size = 0;
+        return false;
+    }
+    return next(parser, data, size, packet);
+#endif
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
