@@ -1809,7 +1809,7 @@ export default {
 "scalars": {"u8":"uint8_t","u16":"uint16_t","u32":"uint32_t","u64":"uint64_t","s8":"int8_t","s16":"int16_t","s32":"int32_t","s64":"int64_t","float":"float","double":"double","bool":"mip_bool","char":"char"},
 "headers": {"base":"base","3dm":"3dm","filter":"filter","gnss":"gnss","rtk":"rtk","displacement":"displacement","aiding":"aiding","system":"system","sensor":"sensor","gnss_data":"gnss_data","filter_data":"filter_data","displacement_data":"displacement_data","system_data":"system_data","shared":"shared"},
 "members": {},
-"arguments": {"device":"device_"},
+"arguments": {"data":"data_","device":"device_"},
 "calls": {
 "base.ping": [
 {"name":"mip_call_base_ping"}

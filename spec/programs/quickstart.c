@@ -8,7 +8,9 @@ int main(void) {
     uint8_t buffer[MIP_MAX_PACKET];
     struct mip_builder builder;
     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_BASE_SET);
-    mip_base_get_device_info_encode(NULL, &builder);
+    if (mip_base_get_device_info_encode(NULL, &builder) != MIP_OK) {
+        return 1;
+    }
     struct mip_packet packet = mip_builder_finish(&builder); /* now send packet.bytes */
     printf("%zu bytes to send\n", packet.size);
 

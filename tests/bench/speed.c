@@ -62,6 +62,34 @@ static bool table(const struct mip_field *field) {
     }
 }
 
+/** As a program that tries one type after the other. */
+#define TRY(key, name)                                       \
+    {                                                        \
+        struct mip_##name value;                             \
+        const mip_error e = mip_##name##_decode(&value, field); \
+        use(&value);                                         \
+        if (e == MIP_OK) {                                   \
+            return true;                                     \
+        }                                                    \
+    }
+static bool each(const struct mip_field *field) {
+    TRY(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
+    TRY(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
+    TRY(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
+    return false;
+}
+
+/** The same with a switch. */
+static bool three(const struct mip_field *field) {
+    switch (mip_field_key(field)) {
+        TABLE(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
+        TABLE(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
+        TABLE(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
+    default:
+        return false;
+    }
+}
+
 static bool registry(const struct mip_field *field) {
     static union {
         uint64_t aligned;
@@ -127,9 +155,9 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
 }
 
 #define ENCODE(encode)                                       \
-    (void)mip_sensor_scaled_accel##encode(&accel, &builder); \
-    (void)mip_sensor_scaled_gyro##encode(&gyro, &builder);   \
-    (void)mip_shared_reference_timestamp##encode(&stamp, &builder)
+    built += mip_sensor_scaled_accel##encode(&accel, &builder) == MIP_OK && \
+             mip_sensor_scaled_gyro##encode(&gyro, &builder) == MIP_OK &&   \
+             mip_shared_reference_timestamp##encode(&stamp, &builder) == MIP_OK
 
 #define BUILD(encode)                                              \
     size_t built = 0;                                              \
@@ -144,7 +172,7 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
         memcpy(&stamp, data + at + 24, 8);                         \
         mip_builder_start(&builder, packet, sizeof(packet), 0x80); \
         ENCODE(encode);                                            \
-        built += mip_builder_finish(&builder).size;                \
+        built += mip_builder_finish(&builder).size - 1;            \
         use(packet);                                               \
     }                                                              \
     return built
@@ -190,6 +218,12 @@ FUNCTION(ours_direct) {
 }
 FUNCTION(ours_table) {
     return parse(data, size, CHUNK, table);
+}
+FUNCTION(ours_each) {
+    return parse(data, size, CHUNK, each);
+}
+FUNCTION(ours_three) {
+    return parse(data, size, CHUNK, three);
 }
 FUNCTION(ours_registry) {
     return parse(data, size, CHUNK, registry);
@@ -238,7 +272,7 @@ static const struct {
     const char *name;
     size_t (*run)(const uint8_t *data, size_t size);
 } ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
-            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
+            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_each), ROW(ours_three), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
             ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
 
 int main(int count, char **arguments) {

@@ -64,7 +64,7 @@ static bool is_field(const struct mip_codec *codec, const void *value, const cha
 static bool is_sent(uint8_t set, uint8_t descriptor, const char *hex) {
     const struct mip_field field = field_of(set, descriptor, hex);
     mip_builder_start(&builder, buffer, sizeof(buffer), set);
-    mip_builder_add(&builder, descriptor, field.data, field.size);
+    CHECK(mip_builder_add(&builder, descriptor, field.data, field.size) == MIP_OK);
     return is_packet(mip_builder_finish(&builder), (const char *)sent, sent_size);
 }
 """

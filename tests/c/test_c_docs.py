@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 def documented(text: str) -> dict[str, str]:
     """Each comment of a header by what it stands before: `mip_x`, `mip_x.member`, `MIP_X`."""
     text = re.sub(r'extern "C" \{|^#ifdef __cplusplus\n\}', "", text, flags=re.M)
-    text = re.sub(r"^(static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
+    text = re.sub(r"^((?:MIP_CHECKED )?static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
     found: dict[str, str] = {}
     scopes: list[str] = []
     doc = ""
@@ -104,7 +104,8 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        facts = [x for x in describe.field(f, of) if x.topic not in ("perhaps", "refused", "affected", "flags")]  # those are in profiles.h
+        elsewhere = ("perhaps", "refused", "affected", "flags")  # in profiles.h, and with what affects or flags it
+        facts = [x for x in describe.field(f, of) if x.topic not in elsewhere]
         yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
         if of.devices_of(f, certain=False) and not of.devices_of(f):
             yield name, [UNSURE]

@@ -61,7 +61,8 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
 
 def raw(f: m.ExampleField) -> list[str]:
     octets = ", ".join(str(b) for b in f.data) or "0"
-    return [f"{{ const uint8_t d[] = {{{octets}}}; mip_builder_add(&b, {f.descriptor}, d, {len(f.data)}); }}"]
+    added = f"mip_builder_add(&b, {f.descriptor}, d, {len(f.data)})"
+    return [f"{{ const uint8_t d[] = {{{octets}}}; if ({added} != MIP_OK) {{ return 2; }} }}"]
 
 
 def built(field: m.Field, values: dict[str, Any]) -> list[str]:

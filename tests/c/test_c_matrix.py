@@ -119,7 +119,7 @@ FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platfo
 @compilers
 def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
     flags = ["-std=c99", "-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}", *SANITIZE]
-    source = folder("invented") / "src/mip/checksum.c"
+    source = folder("invented") / "src/mip/core.c"
     run(need(compiler), *WARNINGS, *flags, include("invented"), f"-I{HERE}/unit", HERE / "unit/checksum.c", source,
         "-o", tmp_path / "checksum")  # fmt: skip
     run(tmp_path / "checksum")
@@ -145,4 +145,4 @@ def test_the_vectors_of_arm_compile(machine: str) -> None:
     run(need("clang"), f"--target={machine}", "-std=c99", "-O2", "-ffreestanding", "-nostdlibinc", *WARNINGS,
         "-mfloat-abi=softfp" if machine.startswith("armv7") else "-ffreestanding", "-DMIP_CHECKSUM=MIP_CHECKSUM_NEON",
         *(["-mfpu=neon"] if machine.startswith("armv7") else []), "-isystem", HERE / "freestanding", include("real"),
-        "-fsyntax-only", folder("real") / "src/mip/checksum.c")  # fmt: skip
+        "-fsyntax-only", folder("real") / "src/mip/core.c")  # fmt: skip

@@ -5,7 +5,6 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/3dm.c
   ${MIP_FOLDER}/src/mip/aiding.c
   ${MIP_FOLDER}/src/mip/base.c
-  ${MIP_FOLDER}/src/mip/checksum.c
   ${MIP_FOLDER}/src/mip/client.c
   ${MIP_FOLDER}/src/mip/codec.c
   ${MIP_FOLDER}/src/mip/core.c

@@ -38,6 +38,17 @@ def widest(_place: int, _alignment: int) -> int:
     return MAX_ALIGNMENT - 1
 
 
+def packed(_place: int, _alignment: int) -> int:
+    """None."""
+    return 0
+
+
+def has_gaps(of: m.Field) -> bool:
+    """May bytes before the last number of a structure be none of the field: unused, or the NUL of a text?"""
+    tight = record(of, packed)
+    return tight.size != of.max_size or tight.last != record(of).last
+
+
 def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that have a member: no constants, and no unions without alternatives."""
     return [p for p in record.parameters if p.constant is None and (not p.union or p.alternatives)]

@@ -63,16 +63,23 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return "unknown";
     }
     struct command *c = (struct command *)arena_take(s->arena, sizeof(struct command));
-    const mip_error error = mip_client_add(&s->client, &c->request, builder, entry->command, values, s->now);
+    /* A driver sends any function, also one that the client refuses. */
+    const size_t start = builder->length + 2;
+    const mip_error error = mip_encode(entry->codec, values, builder);
     if (error != MIP_OK) {
         return mip_error_name(error);
     }
+    mip_client_wait(&s->client, &c->request, builder, entry->command->exchange, builder->length - start, s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
     /* What has several layouts is decoded when it has come. */
-    if (asked != NULL && (asked[1].codec == NULL || asked[1].asked != asked->asked)) {
-        void *place = arena_take(s->arena, c->request.codec->size);
-        if (!mip_client_expect(&c->request, c->request.codec, place)) {
+    if (asked != NULL && asked->layout == NULL) {
+        size_t i = 0;
+        while (mip_registry_link(entry, i)->descriptor != asked->descriptor) {
+            i++;
+        }
+        const struct mip_codec *codec = mip_registry_link(entry, i)->codec;
+        if (!mip_client_expect(&c->request, codec, arena_take(s->arena, codec->size))) {
             abort();
         }
     }
@@ -154,7 +161,7 @@ static const struct mip_entry *entry_of(const struct mip_codec *codec) {
 /* Decodes a response that nobody has named a place for. */
 static void take_response(struct session *s, struct command *c, const struct mip_field *field) {
     struct mip_request *r = &c->request;
-    if (r->state == MIP_REQUEST_ACKNOWLEDGED && r->codec != NULL && r->response == NULL) {
+    if (r->state == MIP_REQUEST_ACKNOWLEDGED && r->asked != NULL && r->response == NULL) {
         r->response = arena_take(s->arena, r->codec->size);
         r->error = (uint8_t)mip_decode(r->codec, r->response, field, NULL);
         r->responded = r->error == MIP_OK;

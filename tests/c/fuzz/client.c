@@ -139,7 +139,7 @@ static void send(struct input *in) {
 static bool check_answer(struct slot *s, const struct mip_field *acknowledge, const struct mip_field *field) {
     const struct mip_request *r = &s->request;
     const struct mip_codec *command = s->entry->codec;
-    const bool responds = r->codec != NULL &&
+    const bool responds = r->asked != NULL &&
                           (r->state == MIP_REQUEST_ACKNOWLEDGED || r->state == MIP_REQUEST_UNDECODABLE);
     CHECK(s->waiting && acknowledge->descriptor == 0xF1 && acknowledge->size >= 2);
     CHECK(acknowledge->descriptor_set == s->set && acknowledge->data[0] == command->descriptor);
@@ -239,7 +239,8 @@ static void answer(struct input *in, size_t piece) {
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), s->set) == MIP_OK);
         CHECK(mip_builder_add(&b, 0xF1, acknowledge, sizeof(acknowledge)) == MIP_OK);
         if (response != NULL) {
-            (void)mip_builder_add(&b, response->descriptor, data, size);
+            const mip_error error = mip_builder_add(&b, response->descriptor, data, size);
+            CHECK(error == b.error);
         }
         arrive_packet(&b, piece);
     }

@@ -36,7 +36,7 @@ static void acknowledge(const struct mip_field *command) {
     struct mip_builder b;
     const uint8_t good[] = {command->descriptor, 0};
     mip_builder_start(&b, bytes, sizeof(bytes), command->descriptor_set);
-    mip_builder_add(&b, 0xF1, good, sizeof(good));
+    CHECK(mip_builder_add(&b, 0xF1, good, sizeof(good)) == MIP_OK);
     transmit(&b);
 }
 

@@ -94,6 +94,18 @@ static void acknowledged(void) {
     CHECK(response.port == 0);
 }
 
+static void without_a_function(void) {
+    struct mip_request r;
+    struct mip_tools_settings none;
+    memset(&none, 0, sizeof(none));
+    const size_t before = fresh()->length;
+    CHECK(mip_encode(&mip_tools_settings_codec, &none, &packet) == MIP_OK); /* a codec carries any value */
+    fresh();
+    CHECK(mip_client_add(&client, &r, &packet, &mip_tools_settings_command, &none, 0) == MIP_ERROR_MISSING);
+    CHECK(r.state == MIP_REQUEST_CANCELLED && client.waiting == NULL && packet.error == MIP_ERROR_MISSING);
+    CHECK(packet.length == before && is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x00\xDB\x05", 6));
+}
+
 static void refused(void) {
     struct mip_request r;
     struct mip_tools_settings write;
@@ -288,7 +300,7 @@ static void sizes(void) {
     /* The one that is expected. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
-    CHECK(r.codec == &mip_tools_status_long_codec);
+    CHECK(r.asked->layout == &mip_tools_status_long_codec && r.codec == NULL);
     CHECK(!mip_client_expect(&r, &mip_tools_status_short_codec, &brief));
     expect(&r, &mip_tools_status_old_codec, &value);
     CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && value.uptime == 5);
@@ -392,6 +404,7 @@ static void lost(void) {
 int main(void) {
     mip_client_init(&client);
     acknowledged();
+    without_a_function();
     refused();
     timed_out();
     several();

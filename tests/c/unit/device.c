@@ -176,6 +176,14 @@ static void answers(void) {
     CHECK(is(mip_call_tools_settings_with(&device, &command, &response), MIP_ACKNOWLEDGED, 0, MIP_OK));
     CHECK(is_zero(&response, sizeof(response)) && line.sent[4] == 11 && line.sent[14] == 3);
 
+    /* Without a function, no device would answer: nothing is sent. */
+    const size_t written = line.sent_size;
+    line.sent_size = 0;
+    command.function = 0;
+    CHECK(is(mip_call_tools_settings_with(&device, &command, NULL), MIP_NOT_SENT, 0, MIP_ERROR_MISSING));
+    CHECK(line.sent_size == 0);
+    line.sent_size = written;
+
     /* A function for each response sets what decides on it. */
     struct mip_tools_set_time_slow_response slow;
     COMES(20, 0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07");
@@ -343,7 +351,8 @@ static void call_again(void *user, const struct mip_field *field, uint32_t arriv
     (void)arrived;
     memset(&inner_response, 0xAA, sizeof(inner_response));
     inner = mip_call_tools_settings_read((struct mip_device *)user, 1, MIP_MODE_FAST, &inner_response);
-    CHECK(mip_device_poll((struct mip_device *)user));
+    /* Its own device: false, or a loop in a handler would never end. */
+    CHECK(mip_device_poll((struct mip_device *)user) == (user != &device));
 }
 
 static void busy(void) {
@@ -382,13 +391,14 @@ static void outcome_names(void) {
 
 static void handlers(void) {
     static const struct mip_handler table[] = {
+        {NULL, MIP_ANY_SET, see, &rest},                           /* left empty: for no field */
         {&mip_measurements_accel_codec, MIP_MORE_SET, NULL, NULL}, /* ignored */
         {&mip_shared_timestamp_codec, MIP_ANY_SET, see, &seen},
         {&mip_measurements_accel_codec, MIP_ANY_SET, see, &seen},
         {&mip_measurements_accel_codec, MIP_ANY_SET, see, &rest}, /* too late */
         {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
     };
-    fresh(table, 5);
+    fresh(table, 6);
     forget();
     COMES(10, 0x80, TIME ACCEL "\x03\x55\x01");
     COMES(20, 0x81, TIME ACCEL);

@@ -23,6 +23,9 @@ static void presence(void) {
     struct mip_tools_settings v;
     mip_tools_settings_write(&v, 1, MIP_MODE_SLOW, 9600);
     CHECK(v.present == 0 && ENCODES(tools_settings, &v, "01010200002580"));
+    v.limit = 5; /* without `present`, it would not be sent, and nobody would notice */
+    CHECK(mip_tools_settings_encode(&v, fresh(1)) == MIP_ERROR_MISSING && packet.length == MIP_HEADER_SIZE);
+    v.limit = 0;
     mip_tools_settings_read(&v, 1, MIP_MODE_SLOW);
     CHECK(ENCODES(tools_settings, &v, "020102"));
     mip_tools_settings_save(&v, 7);
@@ -67,7 +70,10 @@ static void presence(void) {
     CHECK(g.present == MIP_MEASUREMENTS_GROWING_WITH_SECOND && g.first == 1 && g.second == 2);
     CHECK(ENCODES(measurements_growing, &g, "00010002"));
     g.present = 0;
+    CHECK(mip_measurements_growing_encode(&g, fresh(0x80)) == MIP_ERROR_MISSING); /* `second` has a value */
+    g.second = 0;
     CHECK(ENCODES(measurements_growing, &g, "0001"));
+    g.second = 2;
     g.present = 3;
     CHECK(ENCODES(measurements_growing, &g, "0001000200000000"));
     /* Half a parameter is left over, and its member is untouched. */
@@ -281,7 +287,7 @@ static void constants(void) {
     CHECK(mip_tools_status_long_decode(&status, &field) == MIP_ERROR_LAYOUT && status.uptime == 0);
     field = field_of(1, 4, "126802");
     CHECK(mip_tools_status_decode(&command, &field) == MIP_ERROR_CONSTANT && command.selector == 0);
-    CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_command.timeout == 2500);
+    CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_exchange.timeout == 2500);
     /* Keywords, and a parameter with the name of a member that generated code uses itself. */
     struct mip_3d_default d;
     mip_3d_default_make(&d, 1, 2, 3, 4, 5);

@@ -73,9 +73,6 @@ static void encode(const struct mip_entry *entry) {
     CHECK((error == MIP_OK) == (b.length != before) && b.length <= b.capacity - MIP_CHECKSUM_SIZE);
     struct mip_packet packet = mip_builder_finish(&b);
     CHECK(mip_packet_check(packet.bytes, packet.size, &packet) == MIP_OK);
-    if (entry->command != NULL && entry->command->silent != NULL) {
-        entry->command->silent(value);
-    }
     free(value);
 }
 

@@ -53,13 +53,14 @@ static void builder(void) {
 
     CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 1) == MIP_OK);
     CHECK(is_packet(mip_builder_finish(&b), "\x75\x65\x01\x00\xDB\x05", 6)); /* an empty payload */
-    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_OK);
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_OK && b.error == MIP_OK);
     CHECK(is_packet(mip_builder_finish(&b), PING, 8));
 
     /* What does not fit is refused, and the packet stays as it was. */
     CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA) == MIP_ERROR_LENGTH);
     CHECK(is_packet(mip_builder_finish(&b), PING, 8));
     CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA - 2) == MIP_OK);
+    CHECK(b.error == MIP_ERROR_LENGTH); /* whoever asks only at the end still learns of it */
     packet = mip_builder_finish(&b);
     CHECK(packet.size == MIP_MAX_PACKET && mip_packet_check(packet.bytes, packet.size, &packet) == MIP_OK);
     CHECK(mip_builder_add(&b, 3, NULL, 0) == MIP_ERROR_LENGTH);

@@ -135,7 +135,7 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, 0, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 

@@ -15,15 +15,16 @@ static const uint8_t program_poll_imu_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_imu_data), 0, program_poll_imu_data};
+    0x0C, 0x01,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_poll_imu_data),
+    0,    false, program_poll_imu_data, &mip_program};
 
-static bool silent_poll_imu_data(const void *value) {
-    const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_poll_imu_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+
+const struct mip_exchange mip_3dm_poll_imu_data_exchange = {
+    0x0C, 0x01, 0, false, silent_poll_imu_data, NULL};
 
 const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
-                                                          silent_poll_imu_data, NULL, 0};
+                                                          &mip_3dm_poll_imu_data_exchange};
 
 static const uint8_t program_poll_gnss_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_gnss_data, suppress_ack)),
@@ -36,16 +37,23 @@ static const uint8_t program_poll_gnss_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C, 0x02, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_gnss_data), 0, program_poll_gnss_data};
+const struct mip_codec mip_3dm_poll_gnss_data_codec = {0x0C,
+                                                       0x02,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_poll_gnss_data),
+                                                       0,
+                                                       false,
+                                                       program_poll_gnss_data,
+                                                       &mip_program};
 
-static bool silent_poll_gnss_data(const void *value) {
-    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_poll_gnss_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+
+const struct mip_exchange mip_3dm_poll_gnss_data_exchange = {
+    0x0C, 0x02, 0, false, silent_poll_gnss_data, NULL};
 
 const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
-                                                           silent_poll_gnss_data, NULL, 0};
+                                                           &mip_3dm_poll_gnss_data_exchange};
 
 static const uint8_t program_poll_filter_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_filter_data, suppress_ack)),
@@ -64,15 +72,17 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
                                                          0,
                                                          sizeof(struct mip_3dm_poll_filter_data),
                                                          0,
-                                                         program_poll_filter_data};
+                                                         false,
+                                                         program_poll_filter_data,
+                                                         &mip_program};
 
-static bool silent_poll_filter_data(const void *value) {
-    const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_poll_filter_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+
+const struct mip_exchange mip_3dm_poll_filter_data_exchange = {
+    0x0C, 0x03, 0, false, silent_poll_filter_data, NULL};
 
 const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
-                                                             silent_poll_filter_data, NULL, 0};
+                                                             &mip_3dm_poll_filter_data_exchange};
 
 static const uint8_t program_poll_nmea_data[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_nmea_data, suppress_ack)),
@@ -85,16 +95,23 @@ static const uint8_t program_poll_nmea_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C, 0x04, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_nmea_data), 0, program_poll_nmea_data};
+const struct mip_codec mip_3dm_poll_nmea_data_codec = {0x0C,
+                                                       0x04,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_poll_nmea_data),
+                                                       0,
+                                                       false,
+                                                       program_poll_nmea_data,
+                                                       &mip_program};
 
-static bool silent_poll_nmea_data(const void *value) {
-    const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_poll_nmea_data[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
+
+const struct mip_exchange mip_3dm_poll_nmea_data_exchange = {
+    0x0C, 0x04, 0, false, silent_poll_nmea_data, NULL};
 
 const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
-                                                           silent_poll_nmea_data, NULL, 0};
+                                                           &mip_3dm_poll_nmea_data_exchange};
 
 static const uint8_t program_get_imu_base_rate[] = {
     MIP_END,
@@ -106,15 +123,20 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_get_imu_base_rate),
                                                           0,
-                                                          program_get_imu_base_rate};
+                                                          false,
+                                                          program_get_imu_base_rate,
+                                                          NULL};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
-    {&mip_3dm_get_imu_base_rate_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x83},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_imu_base_rate_exchange = {
+    0x0C, 0x06, 0, false, NULL, responses_get_imu_base_rate};
+
 const struct mip_command mip_3dm_get_imu_base_rate_command = {&mip_3dm_get_imu_base_rate_codec,
-                                                              NULL, responses_get_imu_base_rate, 0};
+                                                              &mip_3dm_get_imu_base_rate_exchange};
 
 static const uint8_t program_get_imu_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_imu_base_rate_response, rate)),
@@ -128,7 +150,9 @@ const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_imu_base_rate_response),
     0,
-    program_get_imu_base_rate_response};
+    sizeof(struct mip_3dm_get_imu_base_rate_response) >= 8,
+    program_get_imu_base_rate_response,
+    NULL};
 
 static const uint8_t program_get_gnss_base_rate[] = {
     MIP_END,
@@ -141,15 +165,20 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_gnss_base_rate),
     0,
-    program_get_gnss_base_rate};
+    false,
+    program_get_gnss_base_rate,
+    NULL};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
-    {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange = {
+    0x0C, 0x07, 0, false, NULL, responses_get_gnss_base_rate};
+
 const struct mip_command mip_3dm_get_gnss_base_rate_command = {
-    &mip_3dm_get_gnss_base_rate_codec, NULL, responses_get_gnss_base_rate, 0};
+    &mip_3dm_get_gnss_base_rate_codec, &mip_3dm_get_gnss_base_rate_exchange};
 
 static const uint8_t program_get_gnss_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_gnss_base_rate_response, rate)),
@@ -163,7 +192,9 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_gnss_base_rate_response),
     0,
-    program_get_gnss_base_rate_response};
+    sizeof(struct mip_3dm_get_gnss_base_rate_response) >= 8,
+    program_get_gnss_base_rate_response,
+    NULL};
 
 static const uint8_t program_imu_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -186,20 +217,22 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format),
     0,
-    program_imu_message_format};
+    false,
+    program_imu_message_format,
+    &mip_program};
 
-static bool asked_imu_message_format_1(const void *value) {
-    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_imu_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_imu_message_format[] = {
-    {&mip_3dm_imu_message_format_response_codec, asked_imu_message_format_1},
-    {NULL, NULL},
+    {asked_imu_message_format_1, NULL, 0x80},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_imu_message_format_exchange = {
+    0x0C, 0x08, 0, true, NULL, responses_imu_message_format};
+
 const struct mip_command mip_3dm_imu_message_format_command = {
-    &mip_3dm_imu_message_format_codec, NULL, responses_imu_message_format, 0};
+    &mip_3dm_imu_message_format_codec, &mip_3dm_imu_message_format_exchange};
 
 static const uint8_t program_imu_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format_response, num_descriptors)),
@@ -220,7 +253,9 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_imu_message_format_response),
     0,
-    program_imu_message_format_response};
+    false,
+    program_imu_message_format_response,
+    &mip_program};
 
 static const uint8_t program_gnss_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -243,20 +278,22 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format),
     0,
-    program_gnss_message_format};
+    false,
+    program_gnss_message_format,
+    &mip_program};
 
-static bool asked_gnss_message_format_1(const void *value) {
-    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_gnss_message_format[] = {
-    {&mip_3dm_gnss_message_format_response_codec, asked_gnss_message_format_1},
-    {NULL, NULL},
+    {asked_gnss_message_format_1, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_gnss_message_format_exchange = {
+    0x0C, 0x09, 0, true, NULL, responses_gnss_message_format};
+
 const struct mip_command mip_3dm_gnss_message_format_command = {
-    &mip_3dm_gnss_message_format_codec, NULL, responses_gnss_message_format, 0};
+    &mip_3dm_gnss_message_format_codec, &mip_3dm_gnss_message_format_exchange};
 
 static const uint8_t program_gnss_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format_response, num_descriptors)),
@@ -277,7 +314,9 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_message_format_response),
     0,
-    program_gnss_message_format_response};
+    false,
+    program_gnss_message_format_response,
+    &mip_program};
 
 static const uint8_t program_filter_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -300,21 +339,22 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format),
     0,
-    program_filter_message_format};
+    false,
+    program_filter_message_format,
+    &mip_program};
 
-static bool asked_filter_message_format_1(const void *value) {
-    const struct mip_3dm_filter_message_format *v =
-        (const struct mip_3dm_filter_message_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_filter_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_filter_message_format[] = {
-    {&mip_3dm_filter_message_format_response_codec, asked_filter_message_format_1},
-    {NULL, NULL},
+    {asked_filter_message_format_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_filter_message_format_exchange = {
+    0x0C, 0x0A, 0, true, NULL, responses_filter_message_format};
+
 const struct mip_command mip_3dm_filter_message_format_command = {
-    &mip_3dm_filter_message_format_codec, NULL, responses_filter_message_format, 0};
+    &mip_3dm_filter_message_format_codec, &mip_3dm_filter_message_format_exchange};
 
 static const uint8_t program_filter_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format_response, num_descriptors)),
@@ -335,7 +375,9 @@ const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_filter_message_format_response),
     0,
-    program_filter_message_format_response};
+    false,
+    program_filter_message_format_response,
+    &mip_program};
 
 static const uint8_t program_get_filter_base_rate[] = {
     MIP_END,
@@ -348,15 +390,20 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     0,
     sizeof(struct mip_3dm_get_filter_base_rate),
     0,
-    program_get_filter_base_rate};
+    false,
+    program_get_filter_base_rate,
+    NULL};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
-    {&mip_3dm_get_filter_base_rate_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8A},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_filter_base_rate_exchange = {
+    0x0C, 0x0B, 0, false, NULL, responses_get_filter_base_rate};
+
 const struct mip_command mip_3dm_get_filter_base_rate_command = {
-    &mip_3dm_get_filter_base_rate_codec, NULL, responses_get_filter_base_rate, 0};
+    &mip_3dm_get_filter_base_rate_codec, &mip_3dm_get_filter_base_rate_exchange};
 
 static const uint8_t program_get_filter_base_rate_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_filter_base_rate_response, rate)),
@@ -370,7 +417,9 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     2,
     sizeof(struct mip_3dm_get_filter_base_rate_response),
     0,
-    program_get_filter_base_rate_response};
+    sizeof(struct mip_3dm_get_filter_base_rate_response) >= 8,
+    program_get_filter_base_rate_response,
+    NULL};
 
 static const uint8_t program_nmea_message_format[] = {
     MIP_REQUIRED(1, 2),
@@ -393,20 +442,22 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format),
     0,
-    program_nmea_message_format};
+    false,
+    program_nmea_message_format,
+    &mip_program};
 
-static bool asked_nmea_message_format_1(const void *value) {
-    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_nmea_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_nmea_message_format[] = {
-    {&mip_3dm_nmea_message_format_response_codec, asked_nmea_message_format_1},
-    {NULL, NULL},
+    {asked_nmea_message_format_1, NULL, 0x8C},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_nmea_message_format_exchange = {
+    0x0C, 0x0C, 0, true, NULL, responses_nmea_message_format};
+
 const struct mip_command mip_3dm_nmea_message_format_command = {
-    &mip_3dm_nmea_message_format_codec, NULL, responses_nmea_message_format, 0};
+    &mip_3dm_nmea_message_format_codec, &mip_3dm_nmea_message_format_exchange};
 
 static const uint8_t program_nmea_message_format_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format_response, count)),
@@ -427,7 +478,9 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_nmea_message_format_response),
     0,
-    program_nmea_message_format_response};
+    false,
+    program_nmea_message_format_response,
+    &mip_program};
 
 static const uint8_t program_poll_data[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_poll_data, descriptor_set)),
@@ -438,31 +491,42 @@ static const uint8_t program_poll_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_data), 0, program_poll_data};
+    0x0C, 0x0D,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_poll_data),
+    0,    false, program_poll_data, &mip_program};
 
-static bool silent_poll_data(const void *value) {
-    const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_poll_data[] = {MIP_WHEN_SET(1), MIP_WHEN_END};
 
-const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec, silent_poll_data,
-                                                      NULL, 0};
+const struct mip_exchange mip_3dm_poll_data_exchange = {0x0C, 0x0D, 0, false, silent_poll_data,
+                                                        NULL};
+
+const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec,
+                                                      &mip_3dm_poll_data_exchange};
 
 static const uint8_t program_get_base_rate[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate, descriptor_set)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, 0x0E, MIP_COMMAND, 1, sizeof(struct mip_3dm_get_base_rate), 0, program_get_base_rate};
+const struct mip_codec mip_3dm_get_base_rate_codec = {0x0C,
+                                                      0x0E,
+                                                      MIP_COMMAND,
+                                                      1,
+                                                      sizeof(struct mip_3dm_get_base_rate),
+                                                      0,
+                                                      sizeof(struct mip_3dm_get_base_rate) >= 8,
+                                                      program_get_base_rate,
+                                                      NULL};
 
 static const struct mip_response responses_get_base_rate[] = {
-    {&mip_3dm_get_base_rate_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8E},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec, NULL,
-                                                          responses_get_base_rate, 0};
+const struct mip_exchange mip_3dm_get_base_rate_exchange = {0x0C,  0x0E, 0,
+                                                            false, NULL, responses_get_base_rate};
+
+const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec,
+                                                          &mip_3dm_get_base_rate_exchange};
 
 static const uint8_t program_get_base_rate_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate_response, descriptor_set)),
@@ -477,7 +541,9 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     3,
     sizeof(struct mip_3dm_get_base_rate_response),
     0,
-    program_get_base_rate_response};
+    false,
+    program_get_base_rate_response,
+    NULL};
 
 static const uint8_t program_message_format[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -494,21 +560,28 @@ static const uint8_t program_message_format[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C, 0x0F, MIP_COMMAND, 0, sizeof(struct mip_3dm_message_format), 0, program_message_format};
+const struct mip_codec mip_3dm_message_format_codec = {0x0C,
+                                                       0x0F,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_message_format),
+                                                       0,
+                                                       false,
+                                                       program_message_format,
+                                                       &mip_program};
 
-static bool asked_message_format_1(const void *value) {
-    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_message_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                 MIP_WHEN_END};
 static const struct mip_response responses_message_format[] = {
-    {&mip_3dm_message_format_response_codec, asked_message_format_1},
-    {NULL, NULL},
+    {asked_message_format_1, NULL, 0x8F},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec, NULL,
-                                                           responses_message_format, 0};
+const struct mip_exchange mip_3dm_message_format_exchange = {0x0C, 0x0F, 0,
+                                                             true, NULL, responses_message_format};
+
+const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec,
+                                                           &mip_3dm_message_format_exchange};
 
 static const uint8_t program_message_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_message_format_response, descriptor_set)),
@@ -529,23 +602,30 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     0,
     sizeof(struct mip_3dm_message_format_response),
     0,
-    program_message_format_response};
+    false,
+    program_message_format_response,
+    &mip_program};
 
 static const uint8_t program_factory_streaming[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_factory_streaming, action)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
-                                                          0x10,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_factory_streaming),
-                                                          0,
-                                                          program_factory_streaming};
+const struct mip_codec mip_3dm_factory_streaming_codec = {
+    0x0C,
+    0x10,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_3dm_factory_streaming),
+    0,
+    sizeof(struct mip_3dm_factory_streaming) >= 8,
+    program_factory_streaming,
+    NULL};
+
+const struct mip_exchange mip_3dm_factory_streaming_exchange = {0x0C, 0x10, 0, false, NULL, NULL};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
-                                                              NULL, NULL, 0};
+                                                              &mip_3dm_factory_streaming_exchange};
 
 static const uint8_t program_data_stream_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -563,20 +643,22 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_control),
     0,
-    program_data_stream_control};
+    false,
+    program_data_stream_control,
+    &mip_program};
 
-static bool asked_data_stream_control_1(const void *value) {
-    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_data_stream_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_data_stream_control[] = {
-    {&mip_3dm_data_stream_control_response_codec, asked_data_stream_control_1},
-    {NULL, NULL},
+    {asked_data_stream_control_1, NULL, 0x85},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_data_stream_control_exchange = {
+    0x0C, 0x11, 0, true, NULL, responses_data_stream_control};
+
 const struct mip_command mip_3dm_data_stream_control_command = {
-    &mip_3dm_data_stream_control_codec, NULL, responses_data_stream_control, 0};
+    &mip_3dm_data_stream_control_codec, &mip_3dm_data_stream_control_exchange};
 
 static const uint8_t program_data_stream_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_control_response, descriptor_set)),
@@ -590,7 +672,9 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_control_response),
     0,
-    program_data_stream_control_response};
+    sizeof(struct mip_3dm_data_stream_control_response) >= 8,
+    program_data_stream_control_response,
+    NULL};
 
 static const uint8_t program_raw_rtcm_2_3_message[] = {
     MIP_REST(253, 1, MIP_AT(struct mip_3dm_raw_rtcm_2_3_message, data_count)),
@@ -605,10 +689,15 @@ const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec = {
     0,
     sizeof(struct mip_3dm_raw_rtcm_2_3_message),
     0,
-    program_raw_rtcm_2_3_message};
+    false,
+    program_raw_rtcm_2_3_message,
+    &mip_program};
+
+const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange = {0x0C,  0x20, 0,
+                                                                   false, NULL, NULL};
 
 const struct mip_command mip_3dm_raw_rtcm_2_3_message_command = {
-    &mip_3dm_raw_rtcm_2_3_message_codec, NULL, NULL, 0};
+    &mip_3dm_raw_rtcm_2_3_message_codec, &mip_3dm_raw_rtcm_2_3_message_exchange};
 
 static const uint8_t program_constellation_settings[] = {
     MIP_REQUIRED(1, 3),
@@ -633,21 +722,22 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings),
     0,
-    program_constellation_settings};
+    false,
+    program_constellation_settings,
+    &mip_program};
 
-static bool asked_constellation_settings_1(const void *value) {
-    const struct mip_3dm_constellation_settings *v =
-        (const struct mip_3dm_constellation_settings *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_constellation_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_constellation_settings[] = {
-    {&mip_3dm_constellation_settings_response_codec, asked_constellation_settings_1},
-    {NULL, NULL},
+    {asked_constellation_settings_1, NULL, 0xA0},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_constellation_settings_exchange = {
+    0x0C, 0x21, 0, true, NULL, responses_constellation_settings};
+
 const struct mip_command mip_3dm_constellation_settings_command = {
-    &mip_3dm_constellation_settings_codec, NULL, responses_constellation_settings, 0};
+    &mip_3dm_constellation_settings_codec, &mip_3dm_constellation_settings_exchange};
 
 static const uint8_t program_constellation_settings_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_constellation_settings_response, max_channels_available)),
@@ -669,7 +759,9 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_constellation_settings_response),
     0,
-    program_constellation_settings_response};
+    false,
+    program_constellation_settings_response,
+    &mip_program};
 
 static const uint8_t program_gnss_sbas_settings[] = {
     MIP_REQUIRED(1, 4),
@@ -692,20 +784,22 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings),
     0,
-    program_gnss_sbas_settings};
+    false,
+    program_gnss_sbas_settings,
+    &mip_program};
 
-static bool asked_gnss_sbas_settings_1(const void *value) {
-    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_sbas_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_gnss_sbas_settings[] = {
-    {&mip_3dm_gnss_sbas_settings_response_codec, asked_gnss_sbas_settings_1},
-    {NULL, NULL},
+    {asked_gnss_sbas_settings_1, NULL, 0xA1},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange = {
+    0x0C, 0x22, 0, true, NULL, responses_gnss_sbas_settings};
+
 const struct mip_command mip_3dm_gnss_sbas_settings_command = {
-    &mip_3dm_gnss_sbas_settings_codec, NULL, responses_gnss_sbas_settings, 0};
+    &mip_3dm_gnss_sbas_settings_codec, &mip_3dm_gnss_sbas_settings_exchange};
 
 static const uint8_t program_gnss_sbas_settings_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, enable_sbas)),
@@ -724,13 +818,16 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
     0,
-    program_gnss_sbas_settings_response};
+    false,
+    program_gnss_sbas_settings_response,
+    &mip_program};
 
 static const uint8_t program_gnss_assisted_fix[] = {
     MIP_REQUIRED(1, 2),
     MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, option)),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, flags)),
     MIP_END,
 };
@@ -741,20 +838,22 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gnss_assisted_fix),
                                                           0,
-                                                          program_gnss_assisted_fix};
+                                                          false,
+                                                          program_gnss_assisted_fix,
+                                                          &mip_program};
 
-static bool asked_gnss_assisted_fix_1(const void *value) {
-    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_assisted_fix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_gnss_assisted_fix[] = {
-    {&mip_3dm_gnss_assisted_fix_response_codec, asked_gnss_assisted_fix_1},
-    {NULL, NULL},
+    {asked_gnss_assisted_fix_1, NULL, 0xA2},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange = {
+    0x0C, 0x23, 0, true, NULL, responses_gnss_assisted_fix};
+
 const struct mip_command mip_3dm_gnss_assisted_fix_command = {&mip_3dm_gnss_assisted_fix_codec,
-                                                              NULL, responses_gnss_assisted_fix, 0};
+                                                              &mip_3dm_gnss_assisted_fix_exchange};
 
 static const uint8_t program_gnss_assisted_fix_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gnss_assisted_fix_response, option)),
@@ -768,7 +867,9 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     2,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
     0,
-    program_gnss_assisted_fix_response};
+    sizeof(struct mip_3dm_gnss_assisted_fix_response) >= 8,
+    program_gnss_assisted_fix_response,
+    NULL};
 
 static const uint8_t program_gnss_time_assistance[] = {
     MIP_REQUIRED(1, 3),
@@ -788,21 +889,22 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     0,
     sizeof(struct mip_3dm_gnss_time_assistance),
     0,
-    program_gnss_time_assistance};
+    false,
+    program_gnss_time_assistance,
+    &mip_program};
 
-static bool asked_gnss_time_assistance_1(const void *value) {
-    const struct mip_3dm_gnss_time_assistance *v =
-        (const struct mip_3dm_gnss_time_assistance *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_time_assistance_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_gnss_time_assistance[] = {
-    {&mip_3dm_gnss_time_assistance_response_codec, asked_gnss_time_assistance_1},
-    {NULL, NULL},
+    {asked_gnss_time_assistance_1, NULL, 0xA3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_gnss_time_assistance_exchange = {
+    0x0C, 0x24, 0, true, NULL, responses_gnss_time_assistance};
+
 const struct mip_command mip_3dm_gnss_time_assistance_command = {
-    &mip_3dm_gnss_time_assistance_codec, NULL, responses_gnss_time_assistance, 0};
+    &mip_3dm_gnss_time_assistance_codec, &mip_3dm_gnss_time_assistance_exchange};
 
 static const uint8_t program_gnss_time_assistance_response[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, tow)),
@@ -818,7 +920,9 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     14,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
     0,
-    program_gnss_time_assistance_response};
+    false,
+    program_gnss_time_assistance_response,
+    NULL};
 
 static const uint8_t program_pps_source_control[] = {
     MIP_REQUIRED(1, 1),
@@ -834,20 +938,22 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     0,
     sizeof(struct mip_3dm_pps_source_control),
     0,
-    program_pps_source_control};
+    false,
+    program_pps_source_control,
+    &mip_program};
 
-static bool asked_pps_source_control_1(const void *value) {
-    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_pps_source_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_pps_source_control[] = {
-    {&mip_3dm_pps_source_control_response_codec, asked_pps_source_control_1},
-    {NULL, NULL},
+    {asked_pps_source_control_1, NULL, 0xA8},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_pps_source_control_exchange = {
+    0x0C, 0x28, 0, true, NULL, responses_pps_source_control};
+
 const struct mip_command mip_3dm_pps_source_control_command = {
-    &mip_3dm_pps_source_control_codec, NULL, responses_pps_source_control, 0};
+    &mip_3dm_pps_source_control_codec, &mip_3dm_pps_source_control_exchange};
 
 static const uint8_t program_pps_source_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control_response, source)),
@@ -861,28 +967,36 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     1,
     sizeof(struct mip_3dm_pps_source_control_response),
     0,
-    program_pps_source_control_response};
+    sizeof(struct mip_3dm_pps_source_control_response) >= 8,
+    program_pps_source_control_response,
+    NULL};
 
 static const uint8_t program_get_event_support[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_support, query)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
-                                                          0x2A,
-                                                          MIP_COMMAND,
-                                                          1,
-                                                          sizeof(struct mip_3dm_get_event_support),
-                                                          0,
-                                                          program_get_event_support};
+const struct mip_codec mip_3dm_get_event_support_codec = {
+    0x0C,
+    0x2A,
+    MIP_COMMAND,
+    1,
+    sizeof(struct mip_3dm_get_event_support),
+    0,
+    sizeof(struct mip_3dm_get_event_support) >= 8,
+    program_get_event_support,
+    NULL};
 
 static const struct mip_response responses_get_event_support[] = {
-    {&mip_3dm_get_event_support_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0xB4},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_event_support_exchange = {
+    0x0C, 0x2A, 0, false, NULL, responses_get_event_support};
+
 const struct mip_command mip_3dm_get_event_support_command = {&mip_3dm_get_event_support_codec,
-                                                              NULL, responses_get_event_support, 0};
+                                                              &mip_3dm_get_event_support_exchange};
 
 static const uint8_t program_get_event_support_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_get_event_support_response, query)),
@@ -902,7 +1016,9 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_support_response),
     0,
-    program_get_event_support_response};
+    false,
+    program_get_event_support_response,
+    &mip_program};
 
 static const uint8_t program_event_control[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -914,20 +1030,21 @@ static const uint8_t program_event_control[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B, MIP_COMMAND, 0, sizeof(struct mip_3dm_event_control), 0, program_event_control};
+    0x0C, 0x2B,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_event_control),
+    0,    false, program_event_control, &mip_program};
 
-static bool asked_event_control_1(const void *value) {
-    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_event_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_event_control[] = {
-    {&mip_3dm_event_control_response_codec, asked_event_control_1},
-    {NULL, NULL},
+    {asked_event_control_1, NULL, 0xB5},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec, NULL,
-                                                          responses_event_control, 0};
+const struct mip_exchange mip_3dm_event_control_exchange = {0x0C, 0x2B, 0,
+                                                            true, NULL, responses_event_control};
+
+const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec,
+                                                          &mip_3dm_event_control_exchange};
 
 static const uint8_t program_event_control_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_control_response, instance)),
@@ -941,7 +1058,9 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     2,
     sizeof(struct mip_3dm_event_control_response),
     0,
-    program_event_control_response};
+    sizeof(struct mip_3dm_event_control_response) >= 8,
+    program_event_control_response,
+    NULL};
 
 static const uint8_t program_get_event_trigger_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status, requested_count)),
@@ -958,15 +1077,20 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status),
     0,
-    program_get_event_trigger_status};
+    false,
+    program_get_event_trigger_status,
+    &mip_program};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
-    {&mip_3dm_get_event_trigger_status_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0xB6},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_event_trigger_status_exchange = {
+    0x0C, 0x2C, 0, false, NULL, responses_get_event_trigger_status};
+
 const struct mip_command mip_3dm_get_event_trigger_status_command = {
-    &mip_3dm_get_event_trigger_status_codec, NULL, responses_get_event_trigger_status, 0};
+    &mip_3dm_get_event_trigger_status_codec, &mip_3dm_get_event_trigger_status_exchange};
 
 static const uint8_t program_get_event_trigger_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status_response, count)),
@@ -986,7 +1110,9 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
     0,
-    program_get_event_trigger_status_response};
+    false,
+    program_get_event_trigger_status_response,
+    &mip_program};
 
 static const uint8_t program_get_event_action_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status, requested_count)),
@@ -1003,15 +1129,20 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status),
     0,
-    program_get_event_action_status};
+    false,
+    program_get_event_action_status,
+    &mip_program};
 
 static const struct mip_response responses_get_event_action_status[] = {
-    {&mip_3dm_get_event_action_status_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0xB7},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_event_action_status_exchange = {
+    0x0C, 0x2D, 0, false, NULL, responses_get_event_action_status};
+
 const struct mip_command mip_3dm_get_event_action_status_command = {
-    &mip_3dm_get_event_action_status_codec, NULL, responses_get_event_action_status, 0};
+    &mip_3dm_get_event_action_status_codec, &mip_3dm_get_event_action_status_exchange};
 
 static const uint8_t program_get_event_action_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status_response, count)),
@@ -1031,7 +1162,9 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0,
     sizeof(struct mip_3dm_get_event_action_status_response),
     0,
-    program_get_event_action_status_response};
+    false,
+    program_get_event_action_status_response,
+    &mip_program};
 
 static const uint8_t program_event_trigger_config[] = {
     MIP_REQUIRED(5, 3, 1, 1, 1, 1),
@@ -1071,21 +1204,22 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config),
     0,
-    program_event_trigger_config};
+    false,
+    program_event_trigger_config,
+    &mip_program};
 
-static bool asked_event_trigger_config_1(const void *value) {
-    const struct mip_3dm_event_trigger_config *v =
-        (const struct mip_3dm_event_trigger_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_event_trigger_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_event_trigger_config[] = {
-    {&mip_3dm_event_trigger_config_response_codec, asked_event_trigger_config_1},
-    {NULL, NULL},
+    {asked_event_trigger_config_1, NULL, 0xB8},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_event_trigger_config_exchange = {
+    0x0C, 0x2E, 0, true, NULL, responses_event_trigger_config};
+
 const struct mip_command mip_3dm_event_trigger_config_command = {
-    &mip_3dm_event_trigger_config_codec, NULL, responses_event_trigger_config, 0};
+    &mip_3dm_event_trigger_config_codec, &mip_3dm_event_trigger_config_exchange};
 
 static const uint8_t program_event_trigger_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config_response, instance)),
@@ -1123,7 +1257,9 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_trigger_config_response),
     0,
-    program_event_trigger_config_response};
+    false,
+    program_event_trigger_config_response,
+    &mip_program};
 
 static const uint8_t program_event_action_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1156,20 +1292,22 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config),
     0,
-    program_event_action_config};
+    false,
+    program_event_action_config,
+    &mip_program};
 
-static bool asked_event_action_config_1(const void *value) {
-    const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_event_action_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_event_action_config[] = {
-    {&mip_3dm_event_action_config_response_codec, asked_event_action_config_1},
-    {NULL, NULL},
+    {asked_event_action_config_1, NULL, 0xB9},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_event_action_config_exchange = {
+    0x0C, 0x2F, 0, true, NULL, responses_event_action_config};
+
 const struct mip_command mip_3dm_event_action_config_command = {
-    &mip_3dm_event_action_config_codec, NULL, responses_event_action_config, 0};
+    &mip_3dm_event_action_config_codec, &mip_3dm_event_action_config_exchange};
 
 static const uint8_t program_event_action_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_event_action_config_response, instance)),
@@ -1200,18 +1338,29 @@ const struct mip_codec mip_3dm_event_action_config_response_codec = {
     0,
     sizeof(struct mip_3dm_event_action_config_response),
     0,
-    program_event_action_config_response};
+    false,
+    program_event_action_config_response,
+    &mip_program};
 
 static const uint8_t program_device_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_settings, function)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), 0, program_device_settings};
+const struct mip_codec mip_3dm_device_settings_codec = {0x0C,
+                                                        0x30,
+                                                        MIP_COMMAND,
+                                                        1,
+                                                        sizeof(struct mip_3dm_device_settings),
+                                                        0,
+                                                        sizeof(struct mip_3dm_device_settings) >= 8,
+                                                        program_device_settings,
+                                                        NULL};
 
-const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
-                                                            NULL, 2000};
+const struct mip_exchange mip_3dm_device_settings_exchange = {0x0C, 0x30, 2000, true, NULL, NULL};
+
+const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec,
+                                                            &mip_3dm_device_settings_exchange};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -1231,21 +1380,22 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler),
     0,
-    program_sensor_to_vehicle_euler};
+    false,
+    program_sensor_to_vehicle_euler,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_euler_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_euler *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                          MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {&mip_3dm_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_euler_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_euler_1, NULL, 0xB1},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange = {
+    0x0C, 0x31, 0, true, NULL, responses_sensor_to_vehicle_euler};
+
 const struct mip_command mip_3dm_sensor_to_vehicle_euler_command = {
-    &mip_3dm_sensor_to_vehicle_euler_codec, NULL, responses_sensor_to_vehicle_euler, 0};
+    &mip_3dm_sensor_to_vehicle_euler_codec, &mip_3dm_sensor_to_vehicle_euler_exchange};
 
 static const uint8_t program_sensor_to_vehicle_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler_response, roll)),
@@ -1259,7 +1409,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
     12,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
     0,
-    program_sensor_to_vehicle_euler_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response) >= 8,
+    program_sensor_to_vehicle_euler_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1275,21 +1427,22 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
     0,
-    program_sensor_to_vehicle_quaternion};
+    false,
+    program_sensor_to_vehicle_quaternion,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_quaternion *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {&mip_3dm_sensor_to_vehicle_quaternion_response_codec, asked_sensor_to_vehicle_quaternion_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xB2},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange = {
+    0x0C, 0x32, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
+
 const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command = {
-    &mip_3dm_sensor_to_vehicle_quaternion_codec, NULL, responses_sensor_to_vehicle_quaternion, 0};
+    &mip_3dm_sensor_to_vehicle_quaternion_codec, &mip_3dm_sensor_to_vehicle_quaternion_exchange};
 
 static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion_response, q)),
@@ -1303,7 +1456,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
     16,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
     0,
-    program_sensor_to_vehicle_quaternion_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response) >= 8,
+    program_sensor_to_vehicle_quaternion_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1319,21 +1474,22 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
     0,
-    program_sensor_to_vehicle_dcm};
+    false,
+    program_sensor_to_vehicle_dcm,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_dcm *v =
-        (const struct mip_3dm_sensor_to_vehicle_dcm *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {&mip_3dm_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_dcm_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_dcm_1, NULL, 0xB3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange = {
+    0x0C, 0x33, 0, true, NULL, responses_sensor_to_vehicle_dcm};
+
 const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command = {
-    &mip_3dm_sensor_to_vehicle_dcm_codec, NULL, responses_sensor_to_vehicle_dcm, 0};
+    &mip_3dm_sensor_to_vehicle_dcm_codec, &mip_3dm_sensor_to_vehicle_dcm_exchange};
 
 static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm_response, dcm)),
@@ -1347,7 +1503,9 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     36,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
     0,
-    program_sensor_to_vehicle_dcm_response};
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response) >= 8,
+    program_sensor_to_vehicle_dcm_response,
+    NULL};
 
 static const uint8_t program_gps_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -1362,20 +1520,22 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_codec = {0x0C,
                                                           0,
                                                           sizeof(struct mip_3dm_gps_dynamics_mode),
                                                           0,
-                                                          program_gps_dynamics_mode};
+                                                          false,
+                                                          program_gps_dynamics_mode,
+                                                          &mip_program};
 
-static bool asked_gps_dynamics_mode_1(const void *value) {
-    const struct mip_3dm_gps_dynamics_mode *v = (const struct mip_3dm_gps_dynamics_mode *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gps_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_gps_dynamics_mode[] = {
-    {&mip_3dm_gps_dynamics_mode_response_codec, asked_gps_dynamics_mode_1},
-    {NULL, NULL},
+    {asked_gps_dynamics_mode_1, NULL, 0x92},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange = {
+    0x0C, 0x34, 0, true, NULL, responses_gps_dynamics_mode};
+
 const struct mip_command mip_3dm_gps_dynamics_mode_command = {&mip_3dm_gps_dynamics_mode_codec,
-                                                              NULL, responses_gps_dynamics_mode, 0};
+                                                              &mip_3dm_gps_dynamics_mode_exchange};
 
 static const uint8_t program_gps_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_dynamics_mode_response, mode)),
@@ -1389,7 +1549,9 @@ const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_3dm_gps_dynamics_mode_response),
     0,
-    program_gps_dynamics_mode_response};
+    sizeof(struct mip_3dm_gps_dynamics_mode_response) >= 8,
+    program_gps_dynamics_mode_response,
+    NULL};
 
 static const uint8_t program_imu_signal_conditioning[] = {
     MIP_REQUIRED(1, 8),
@@ -1419,21 +1581,22 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_codec = {
     0,
     sizeof(struct mip_3dm_imu_signal_conditioning),
     0,
-    program_imu_signal_conditioning};
+    false,
+    program_imu_signal_conditioning,
+    &mip_program};
 
-static bool asked_imu_signal_conditioning_1(const void *value) {
-    const struct mip_3dm_imu_signal_conditioning *v =
-        (const struct mip_3dm_imu_signal_conditioning *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_imu_signal_conditioning_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                          MIP_WHEN_END};
 static const struct mip_response responses_imu_signal_conditioning[] = {
-    {&mip_3dm_imu_signal_conditioning_response_codec, asked_imu_signal_conditioning_1},
-    {NULL, NULL},
+    {asked_imu_signal_conditioning_1, NULL, 0x86},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange = {
+    0x0C, 0x35, 0, true, NULL, responses_imu_signal_conditioning};
+
 const struct mip_command mip_3dm_imu_signal_conditioning_command = {
-    &mip_3dm_imu_signal_conditioning_codec, NULL, responses_imu_signal_conditioning, 0};
+    &mip_3dm_imu_signal_conditioning_codec, &mip_3dm_imu_signal_conditioning_exchange};
 
 static const uint8_t program_imu_signal_conditioning_response[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_3dm_imu_signal_conditioning_response, orientation_decimation)),
@@ -1451,7 +1614,9 @@ const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec = {
     13,
     sizeof(struct mip_3dm_imu_signal_conditioning_response),
     0,
-    program_imu_signal_conditioning_response};
+    false,
+    program_imu_signal_conditioning_response,
+    NULL};
 
 static const uint8_t program_imu_timestamp[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1463,20 +1628,21 @@ static const uint8_t program_imu_timestamp[] = {
 };
 
 const struct mip_codec mip_3dm_imu_timestamp_codec = {
-    0x0C, 0x36, MIP_COMMAND, 0, sizeof(struct mip_3dm_imu_timestamp), 0, program_imu_timestamp};
+    0x0C, 0x36,  MIP_COMMAND,           0,           sizeof(struct mip_3dm_imu_timestamp),
+    0,    false, program_imu_timestamp, &mip_program};
 
-static bool asked_imu_timestamp_1(const void *value) {
-    const struct mip_3dm_imu_timestamp *v = (const struct mip_3dm_imu_timestamp *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_imu_timestamp_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_imu_timestamp[] = {
-    {&mip_3dm_imu_timestamp_response_codec, asked_imu_timestamp_1},
-    {NULL, NULL},
+    {asked_imu_timestamp_1, NULL, 0x93},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec, NULL,
-                                                          responses_imu_timestamp, 0};
+const struct mip_exchange mip_3dm_imu_timestamp_exchange = {0x0C, 0x36, 0,
+                                                            true, NULL, responses_imu_timestamp};
+
+const struct mip_command mip_3dm_imu_timestamp_command = {&mip_3dm_imu_timestamp_codec,
+                                                          &mip_3dm_imu_timestamp_exchange};
 
 static const uint8_t program_imu_timestamp_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_timestamp_response, selector)),
@@ -1491,7 +1657,9 @@ const struct mip_codec mip_3dm_imu_timestamp_response_codec = {
     5,
     sizeof(struct mip_3dm_imu_timestamp_response),
     0,
-    program_imu_timestamp_response};
+    false,
+    program_imu_timestamp_response,
+    NULL};
 
 static const uint8_t program_accel_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1501,25 +1669,21 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37, MIP_COMMAND, 0, sizeof(struct mip_3dm_accel_bias), 0, program_accel_bias};
+    0x0C, 0x37,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_accel_bias),
+    0,    false, program_accel_bias, &mip_program};
 
-static bool silent_accel_bias(const void *value) {
-    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_accel_bias_1(const void *value) {
-    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t silent_accel_bias[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_accel_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_accel_bias[] = {
-    {&mip_3dm_accel_bias_response_codec, asked_accel_bias_1},
-    {NULL, NULL},
+    {asked_accel_bias_1, NULL, 0x9A},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec, silent_accel_bias,
-                                                       responses_accel_bias, 0};
+const struct mip_exchange mip_3dm_accel_bias_exchange = {
+    0x0C, 0x37, 0, true, silent_accel_bias, responses_accel_bias};
+
+const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec,
+                                                       &mip_3dm_accel_bias_exchange};
 
 static const uint8_t program_accel_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias_response, bias)),
@@ -1533,7 +1697,9 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_accel_bias_response),
     0,
-    program_accel_bias_response};
+    sizeof(struct mip_3dm_accel_bias_response) >= 8,
+    program_accel_bias_response,
+    NULL};
 
 static const uint8_t program_gyro_bias[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1543,25 +1709,21 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38, MIP_COMMAND, 0, sizeof(struct mip_3dm_gyro_bias), 0, program_gyro_bias};
+    0x0C, 0x38,  MIP_COMMAND,       0,           sizeof(struct mip_3dm_gyro_bias),
+    0,    false, program_gyro_bias, &mip_program};
 
-static bool silent_gyro_bias(const void *value) {
-    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_gyro_bias_1(const void *value) {
-    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t silent_gyro_bias[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_gyro_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias[] = {
-    {&mip_3dm_gyro_bias_response_codec, asked_gyro_bias_1},
-    {NULL, NULL},
+    {asked_gyro_bias_1, NULL, 0x9B},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec, silent_gyro_bias,
-                                                      responses_gyro_bias, 0};
+const struct mip_exchange mip_3dm_gyro_bias_exchange = {
+    0x0C, 0x38, 0, true, silent_gyro_bias, responses_gyro_bias};
+
+const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec,
+                                                      &mip_3dm_gyro_bias_exchange};
 
 static const uint8_t program_gyro_bias_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias_response, bias)),
@@ -1575,28 +1737,36 @@ const struct mip_codec mip_3dm_gyro_bias_response_codec = {
     12,
     sizeof(struct mip_3dm_gyro_bias_response),
     0,
-    program_gyro_bias_response};
+    sizeof(struct mip_3dm_gyro_bias_response) >= 8,
+    program_gyro_bias_response,
+    NULL};
 
 static const uint8_t program_capture_gyro_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_capture_gyro_bias, averaging_time_ms)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
-                                                          0x39,
-                                                          MIP_COMMAND,
-                                                          2,
-                                                          sizeof(struct mip_3dm_capture_gyro_bias),
-                                                          0,
-                                                          program_capture_gyro_bias};
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
+    0x0C,
+    0x39,
+    MIP_COMMAND,
+    2,
+    sizeof(struct mip_3dm_capture_gyro_bias),
+    0,
+    sizeof(struct mip_3dm_capture_gyro_bias) >= 8,
+    program_capture_gyro_bias,
+    NULL};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
-    {&mip_3dm_gyro_bias_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x9B},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_capture_gyro_bias_command = {
-    &mip_3dm_capture_gyro_bias_codec, NULL, responses_capture_gyro_bias, 31000};
+const struct mip_exchange mip_3dm_capture_gyro_bias_exchange = {
+    0x0C, 0x39, 31000, false, NULL, responses_capture_gyro_bias};
+
+const struct mip_command mip_3dm_capture_gyro_bias_command = {&mip_3dm_capture_gyro_bias_codec,
+                                                              &mip_3dm_capture_gyro_bias_exchange};
 
 static const uint8_t program_mag_hard_iron_offset[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1612,28 +1782,24 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     0,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
     0,
-    program_mag_hard_iron_offset};
+    false,
+    program_mag_hard_iron_offset,
+    &mip_program};
 
-static bool silent_mag_hard_iron_offset(const void *value) {
-    const struct mip_3dm_mag_hard_iron_offset *v =
-        (const struct mip_3dm_mag_hard_iron_offset *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_mag_hard_iron_offset_1(const void *value) {
-    const struct mip_3dm_mag_hard_iron_offset *v =
-        (const struct mip_3dm_mag_hard_iron_offset *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t silent_mag_hard_iron_offset[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                      MIP_WHEN_END};
+static const uint8_t asked_mag_hard_iron_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_mag_hard_iron_offset[] = {
-    {&mip_3dm_mag_hard_iron_offset_response_codec, asked_mag_hard_iron_offset_1},
-    {NULL, NULL},
+    {asked_mag_hard_iron_offset_1, NULL, 0x9C},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange = {
+    0x0C, 0x3A, 0, true, silent_mag_hard_iron_offset, responses_mag_hard_iron_offset};
+
 const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
-    &mip_3dm_mag_hard_iron_offset_codec, silent_mag_hard_iron_offset,
-    responses_mag_hard_iron_offset, 0};
+    &mip_3dm_mag_hard_iron_offset_codec, &mip_3dm_mag_hard_iron_offset_exchange};
 
 static const uint8_t program_mag_hard_iron_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset_response, offset)),
@@ -1647,7 +1813,9 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     12,
     sizeof(struct mip_3dm_mag_hard_iron_offset_response),
     0,
-    program_mag_hard_iron_offset_response};
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response) >= 8,
+    program_mag_hard_iron_offset_response,
+    NULL};
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
     MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
@@ -1663,28 +1831,24 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     0,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
     0,
-    program_mag_soft_iron_matrix};
+    false,
+    program_mag_soft_iron_matrix,
+    &mip_program};
 
-static bool silent_mag_soft_iron_matrix(const void *value) {
-    const struct mip_3dm_mag_soft_iron_matrix *v =
-        (const struct mip_3dm_mag_soft_iron_matrix *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_mag_soft_iron_matrix_1(const void *value) {
-    const struct mip_3dm_mag_soft_iron_matrix *v =
-        (const struct mip_3dm_mag_soft_iron_matrix *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t silent_mag_soft_iron_matrix[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                      MIP_WHEN_END};
+static const uint8_t asked_mag_soft_iron_matrix_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_mag_soft_iron_matrix[] = {
-    {&mip_3dm_mag_soft_iron_matrix_response_codec, asked_mag_soft_iron_matrix_1},
-    {NULL, NULL},
+    {asked_mag_soft_iron_matrix_1, NULL, 0x9D},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange = {
+    0x0C, 0x3B, 0, true, silent_mag_soft_iron_matrix, responses_mag_soft_iron_matrix};
+
 const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
-    &mip_3dm_mag_soft_iron_matrix_codec, silent_mag_soft_iron_matrix,
-    responses_mag_soft_iron_matrix, 0};
+    &mip_3dm_mag_soft_iron_matrix_codec, &mip_3dm_mag_soft_iron_matrix_exchange};
 
 static const uint8_t program_mag_soft_iron_matrix_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix_response, matrix)),
@@ -1698,7 +1862,9 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     36,
     sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
     0,
-    program_mag_soft_iron_matrix_response};
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response) >= 8,
+    program_mag_soft_iron_matrix_response,
+    NULL};
 
 static const uint8_t program_coning_sculling_enable[] = {
     MIP_REQUIRED(1, 1),
@@ -1714,21 +1880,22 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     0,
     sizeof(struct mip_3dm_coning_sculling_enable),
     0,
-    program_coning_sculling_enable};
+    false,
+    program_coning_sculling_enable,
+    &mip_program};
 
-static bool asked_coning_sculling_enable_1(const void *value) {
-    const struct mip_3dm_coning_sculling_enable *v =
-        (const struct mip_3dm_coning_sculling_enable *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_coning_sculling_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_coning_sculling_enable[] = {
-    {&mip_3dm_coning_sculling_enable_response_codec, asked_coning_sculling_enable_1},
-    {NULL, NULL},
+    {asked_coning_sculling_enable_1, NULL, 0x9E},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_coning_sculling_enable_exchange = {
+    0x0C, 0x3E, 0, true, NULL, responses_coning_sculling_enable};
+
 const struct mip_command mip_3dm_coning_sculling_enable_command = {
-    &mip_3dm_coning_sculling_enable_codec, NULL, responses_coning_sculling_enable, 0};
+    &mip_3dm_coning_sculling_enable_codec, &mip_3dm_coning_sculling_enable_exchange};
 
 static const uint8_t program_coning_sculling_enable_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable_response, enable)),
@@ -1742,7 +1909,9 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     1,
     sizeof(struct mip_3dm_coning_sculling_enable_response),
     0,
-    program_coning_sculling_enable_response};
+    sizeof(struct mip_3dm_coning_sculling_enable_response) >= 8,
+    program_coning_sculling_enable_response,
+    NULL};
 
 static const uint8_t program_uart_baud_rate[] = {
     MIP_REQUIRED(1, 1),
@@ -1751,21 +1920,28 @@ static const uint8_t program_uart_baud_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C, 0x40, MIP_COMMAND, 0, sizeof(struct mip_3dm_uart_baud_rate), 0, program_uart_baud_rate};
+const struct mip_codec mip_3dm_uart_baud_rate_codec = {0x0C,
+                                                       0x40,
+                                                       MIP_COMMAND,
+                                                       0,
+                                                       sizeof(struct mip_3dm_uart_baud_rate),
+                                                       0,
+                                                       false,
+                                                       program_uart_baud_rate,
+                                                       &mip_program};
 
-static bool asked_uart_baud_rate_1(const void *value) {
-    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_uart_baud_rate_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                 MIP_WHEN_END};
 static const struct mip_response responses_uart_baud_rate[] = {
-    {&mip_3dm_uart_baud_rate_response_codec, asked_uart_baud_rate_1},
-    {NULL, NULL},
+    {asked_uart_baud_rate_1, NULL, 0x87},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec, NULL,
-                                                           responses_uart_baud_rate, 0};
+const struct mip_exchange mip_3dm_uart_baud_rate_exchange = {0x0C, 0x40, 0,
+                                                             true, NULL, responses_uart_baud_rate};
+
+const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec,
+                                                           &mip_3dm_uart_baud_rate_exchange};
 
 static const uint8_t program_uart_baud_rate_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate_response, baud)),
@@ -1779,7 +1955,9 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     4,
     sizeof(struct mip_3dm_uart_baud_rate_response),
     0,
-    program_uart_baud_rate_response};
+    sizeof(struct mip_3dm_uart_baud_rate_response) >= 8,
+    program_uart_baud_rate_response,
+    NULL};
 
 static const uint8_t program_gpio_config[] = {
     MIP_REQUIRED(5, 4, 1, 1, 1, 1),
@@ -1795,20 +1973,21 @@ static const uint8_t program_gpio_config[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_config), 0, program_gpio_config};
+    0x0C, 0x41,  MIP_COMMAND,         0,           sizeof(struct mip_3dm_gpio_config),
+    0,    false, program_gpio_config, &mip_program};
 
-static bool asked_gpio_config_1(const void *value) {
-    const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gpio_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                              MIP_WHEN_END};
 static const struct mip_response responses_gpio_config[] = {
-    {&mip_3dm_gpio_config_response_codec, asked_gpio_config_1},
-    {NULL, NULL},
+    {asked_gpio_config_1, NULL, 0xC1},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec, NULL,
-                                                        responses_gpio_config, 0};
+const struct mip_exchange mip_3dm_gpio_config_exchange = {0x0C, 0x41, 0,
+                                                          true, NULL, responses_gpio_config};
+
+const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec,
+                                                        &mip_3dm_gpio_config_exchange};
 
 static const uint8_t program_gpio_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_gpio_config_response, pin)),
@@ -1822,7 +2001,9 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     4,
     sizeof(struct mip_3dm_gpio_config_response),
     0,
-    program_gpio_config_response};
+    sizeof(struct mip_3dm_gpio_config_response) >= 8,
+    program_gpio_config_response,
+    NULL};
 
 static const uint8_t program_gpio_state[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -1834,20 +2015,20 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_state), 0, program_gpio_state};
+    0x0C, 0x42,  MIP_COMMAND,        0,           sizeof(struct mip_3dm_gpio_state),
+    0,    false, program_gpio_state, &mip_program};
 
-static bool asked_gpio_state_1(const void *value) {
-    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gpio_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gpio_state[] = {
-    {&mip_3dm_gpio_state_response_codec, asked_gpio_state_1},
-    {NULL, NULL},
+    {asked_gpio_state_1, NULL, 0xC2},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec, NULL,
-                                                       responses_gpio_state, 0};
+const struct mip_exchange mip_3dm_gpio_state_exchange = {0x0C, 0x42, 0,
+                                                         true, NULL, responses_gpio_state};
+
+const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec,
+                                                       &mip_3dm_gpio_state_exchange};
 
 static const uint8_t program_gpio_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_gpio_state_response, pin)),
@@ -1861,7 +2042,9 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     2,
     sizeof(struct mip_3dm_gpio_state_response),
     0,
-    program_gpio_state_response};
+    sizeof(struct mip_3dm_gpio_state_response) >= 8,
+    program_gpio_state_response,
+    NULL};
 
 static const uint8_t program_odometer_config[] = {
     MIP_REQUIRED(1, 3),
@@ -1874,21 +2057,28 @@ static const uint8_t program_odometer_config[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C, 0x43, MIP_COMMAND, 0, sizeof(struct mip_3dm_odometer_config), 0, program_odometer_config};
+const struct mip_codec mip_3dm_odometer_config_codec = {0x0C,
+                                                        0x43,
+                                                        MIP_COMMAND,
+                                                        0,
+                                                        sizeof(struct mip_3dm_odometer_config),
+                                                        0,
+                                                        false,
+                                                        program_odometer_config,
+                                                        &mip_program};
 
-static bool asked_odometer_config_1(const void *value) {
-    const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_odometer_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN_END};
 static const struct mip_response responses_odometer_config[] = {
-    {&mip_3dm_odometer_config_response_codec, asked_odometer_config_1},
-    {NULL, NULL},
+    {asked_odometer_config_1, NULL, 0xC3},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec, NULL,
-                                                            responses_odometer_config, 0};
+const struct mip_exchange mip_3dm_odometer_config_exchange = {
+    0x0C, 0x43, 0, true, NULL, responses_odometer_config};
+
+const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec,
+                                                            &mip_3dm_odometer_config_exchange};
 
 static const uint8_t program_odometer_config_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config_response, mode)),
@@ -1903,7 +2093,9 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     9,
     sizeof(struct mip_3dm_odometer_config_response),
     0,
-    program_odometer_config_response};
+    false,
+    program_odometer_config_response,
+    NULL};
 
 static const uint8_t program_imu_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 1, 1, 1, 1),
@@ -1927,20 +2119,22 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     0,
     sizeof(struct mip_3dm_imu_low_pass_filter),
     0,
-    program_imu_low_pass_filter};
+    false,
+    program_imu_low_pass_filter,
+    &mip_program};
 
-static bool asked_imu_low_pass_filter_1(const void *value) {
-    const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_imu_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_imu_low_pass_filter[] = {
-    {&mip_3dm_imu_low_pass_filter_response_codec, asked_imu_low_pass_filter_1},
-    {NULL, NULL},
+    {asked_imu_low_pass_filter_1, NULL, 0x8B},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange = {
+    0x0C, 0x50, 0, true, NULL, responses_imu_low_pass_filter};
+
 const struct mip_command mip_3dm_imu_low_pass_filter_command = {
-    &mip_3dm_imu_low_pass_filter_codec, NULL, responses_imu_low_pass_filter, 0};
+    &mip_3dm_imu_low_pass_filter_codec, &mip_3dm_imu_low_pass_filter_exchange};
 
 static const uint8_t program_imu_low_pass_filter_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, target_descriptor)),
@@ -1956,7 +2150,9 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     6,
     sizeof(struct mip_3dm_imu_low_pass_filter_response),
     0,
-    program_imu_low_pass_filter_response};
+    false,
+    program_imu_low_pass_filter_response,
+    NULL};
 
 static const uint8_t program_complementary_filter[] = {
     MIP_REQUIRED(1, 4),
@@ -1978,21 +2174,22 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     0,
     sizeof(struct mip_3dm_complementary_filter),
     0,
-    program_complementary_filter};
+    false,
+    program_complementary_filter,
+    &mip_program};
 
-static bool asked_complementary_filter_1(const void *value) {
-    const struct mip_3dm_complementary_filter *v =
-        (const struct mip_3dm_complementary_filter *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_complementary_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_complementary_filter[] = {
-    {&mip_3dm_complementary_filter_response_codec, asked_complementary_filter_1},
-    {NULL, NULL},
+    {asked_complementary_filter_1, NULL, 0x97},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_complementary_filter_exchange = {
+    0x0C, 0x51, 0, true, NULL, responses_complementary_filter};
+
 const struct mip_command mip_3dm_complementary_filter_command = {
-    &mip_3dm_complementary_filter_codec, NULL, responses_complementary_filter, 0};
+    &mip_3dm_complementary_filter_codec, &mip_3dm_complementary_filter_exchange};
 
 static const uint8_t program_complementary_filter_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_complementary_filter_response, pitch_roll_enable)),
@@ -2007,7 +2204,9 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     10,
     sizeof(struct mip_3dm_complementary_filter_response),
     0,
-    program_complementary_filter_response};
+    false,
+    program_complementary_filter_response,
+    NULL};
 
 static const uint8_t program_sensor_range[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2019,20 +2218,21 @@ static const uint8_t program_sensor_range[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52, MIP_COMMAND, 0, sizeof(struct mip_3dm_sensor_range), 0, program_sensor_range};
+    0x0C, 0x52,  MIP_COMMAND,          0,           sizeof(struct mip_3dm_sensor_range),
+    0,    false, program_sensor_range, &mip_program};
 
-static bool asked_sensor_range_1(const void *value) {
-    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_range_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                               MIP_WHEN_END};
 static const struct mip_response responses_sensor_range[] = {
-    {&mip_3dm_sensor_range_response_codec, asked_sensor_range_1},
-    {NULL, NULL},
+    {asked_sensor_range_1, NULL, 0xD2},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec, NULL,
-                                                         responses_sensor_range, 0};
+const struct mip_exchange mip_3dm_sensor_range_exchange = {0x0C, 0x52, 0,
+                                                           true, NULL, responses_sensor_range};
+
+const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec,
+                                                         &mip_3dm_sensor_range_exchange};
 
 static const uint8_t program_sensor_range_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_sensor_range_response, sensor)),
@@ -2046,7 +2246,9 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     2,
     sizeof(struct mip_3dm_sensor_range_response),
     0,
-    program_sensor_range_response};
+    sizeof(struct mip_3dm_sensor_range_response) >= 8,
+    program_sensor_range_response,
+    NULL};
 
 static const uint8_t program_get_calibrated_sensor_ranges[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges, sensor)),
@@ -2060,15 +2262,20 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     1,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
     0,
-    program_get_calibrated_sensor_ranges};
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges) >= 8,
+    program_get_calibrated_sensor_ranges,
+    NULL};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
-    {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0xD3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange = {
+    0x0C, 0x53, 0, false, NULL, responses_get_calibrated_sensor_ranges};
+
 const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
-    &mip_3dm_get_calibrated_sensor_ranges_codec, NULL, responses_get_calibrated_sensor_ranges, 0};
+    &mip_3dm_get_calibrated_sensor_ranges_codec, &mip_3dm_get_calibrated_sensor_ranges_exchange};
 
 static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, sensor)),
@@ -2089,7 +2296,9 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
     0,
-    program_get_calibrated_sensor_ranges_response};
+    false,
+    program_get_calibrated_sensor_ranges_response,
+    &mip_program};
 
 static const uint8_t program_low_pass_filter[] = {
     MIP_REQUIRED(5, 5, 2, 2, 2, 2),
@@ -2106,21 +2315,28 @@ static const uint8_t program_low_pass_filter[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C, 0x54, MIP_COMMAND, 0, sizeof(struct mip_3dm_low_pass_filter), 0, program_low_pass_filter};
+const struct mip_codec mip_3dm_low_pass_filter_codec = {0x0C,
+                                                        0x54,
+                                                        MIP_COMMAND,
+                                                        0,
+                                                        sizeof(struct mip_3dm_low_pass_filter),
+                                                        0,
+                                                        false,
+                                                        program_low_pass_filter,
+                                                        &mip_program};
 
-static bool asked_low_pass_filter_1(const void *value) {
-    const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_low_pass_filter_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN_END};
 static const struct mip_response responses_low_pass_filter[] = {
-    {&mip_3dm_low_pass_filter_response_codec, asked_low_pass_filter_1},
-    {NULL, NULL},
+    {asked_low_pass_filter_1, NULL, 0xD4},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec, NULL,
-                                                            responses_low_pass_filter, 0};
+const struct mip_exchange mip_3dm_low_pass_filter_exchange = {
+    0x0C, 0x54, 0, true, NULL, responses_low_pass_filter};
+
+const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec,
+                                                            &mip_3dm_low_pass_filter_exchange};
 
 static const uint8_t program_low_pass_filter_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_3dm_low_pass_filter_response, descriptor_set)),
@@ -2135,7 +2351,9 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     8,
     sizeof(struct mip_3dm_low_pass_filter_response),
     0,
-    program_low_pass_filter_response};
+    sizeof(struct mip_3dm_low_pass_filter_response) >= 8,
+    program_low_pass_filter_response,
+    NULL};
 
 static const uint8_t program_data_stream_format[] = {
     MIP_REQUIRED(5, 2, 2, 2, 2, 2),
@@ -2153,20 +2371,22 @@ const struct mip_codec mip_3dm_data_stream_format_codec = {
     0,
     sizeof(struct mip_3dm_data_stream_format),
     0,
-    program_data_stream_format};
+    false,
+    program_data_stream_format,
+    &mip_program};
 
-static bool asked_data_stream_format_1(const void *value) {
-    const struct mip_3dm_data_stream_format *v = (const struct mip_3dm_data_stream_format *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_data_stream_format_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_data_stream_format[] = {
-    {&mip_3dm_data_stream_format_response_codec, asked_data_stream_format_1},
-    {NULL, NULL},
+    {asked_data_stream_format_1, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_data_stream_format_exchange = {
+    0x0C, 0x60, 0, true, NULL, responses_data_stream_format};
+
 const struct mip_command mip_3dm_data_stream_format_command = {
-    &mip_3dm_data_stream_format_codec, NULL, responses_data_stream_format, 0};
+    &mip_3dm_data_stream_format_codec, &mip_3dm_data_stream_format_exchange};
 
 static const uint8_t program_data_stream_format_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_format_response, stream)),
@@ -2180,7 +2400,9 @@ const struct mip_codec mip_3dm_data_stream_format_response_codec = {
     2,
     sizeof(struct mip_3dm_data_stream_format_response),
     0,
-    program_data_stream_format_response};
+    sizeof(struct mip_3dm_data_stream_format_response) >= 8,
+    program_data_stream_format_response,
+    NULL};
 
 static const uint8_t program_device_power_state[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -2198,20 +2420,22 @@ const struct mip_codec mip_3dm_device_power_state_codec = {
     0,
     sizeof(struct mip_3dm_device_power_state),
     0,
-    program_device_power_state};
+    false,
+    program_device_power_state,
+    &mip_program};
 
-static bool asked_device_power_state_1(const void *value) {
-    const struct mip_3dm_device_power_state *v = (const struct mip_3dm_device_power_state *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_device_power_state_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_device_power_state[] = {
-    {&mip_3dm_device_power_state_response_codec, asked_device_power_state_1},
-    {NULL, NULL},
+    {asked_device_power_state_1, NULL, 0x89},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_3dm_device_power_state_exchange = {
+    0x0C, 0x61, 5000, true, NULL, responses_device_power_state};
+
 const struct mip_command mip_3dm_device_power_state_command = {
-    &mip_3dm_device_power_state_codec, NULL, responses_device_power_state, 5000};
+    &mip_3dm_device_power_state_codec, &mip_3dm_device_power_state_exchange};
 
 static const uint8_t program_device_power_state_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_power_state_response, device)),
@@ -2225,7 +2449,9 @@ const struct mip_codec mip_3dm_device_power_state_response_codec = {
     2,
     sizeof(struct mip_3dm_device_power_state_response),
     0,
-    program_device_power_state_response};
+    sizeof(struct mip_3dm_device_power_state_response) >= 8,
+    program_device_power_state_response,
+    NULL};
 
 static const uint8_t program_gps_advanced_settings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gps_advanced_settings, function)),
@@ -2239,10 +2465,15 @@ const struct mip_codec mip_3dm_gps_advanced_settings_codec = {
     1,
     sizeof(struct mip_3dm_gps_advanced_settings),
     0,
-    program_gps_advanced_settings};
+    sizeof(struct mip_3dm_gps_advanced_settings) >= 8,
+    program_gps_advanced_settings,
+    NULL};
+
+const struct mip_exchange mip_3dm_gps_advanced_settings_exchange = {0x0C, 0x62, 0,
+                                                                    true, NULL, NULL};
 
 const struct mip_command mip_3dm_gps_advanced_settings_command = {
-    &mip_3dm_gps_advanced_settings_codec, NULL, NULL, 0};
+    &mip_3dm_gps_advanced_settings_codec, &mip_3dm_gps_advanced_settings_exchange};
 
 static const uint8_t program_device_status[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status, model_number)),
@@ -2250,35 +2481,37 @@ static const uint8_t program_device_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, 0x64, MIP_COMMAND, 3, sizeof(struct mip_3dm_device_status), 0, program_device_status};
+const struct mip_codec mip_3dm_device_status_codec = {0x0C,
+                                                      0x64,
+                                                      MIP_COMMAND,
+                                                      3,
+                                                      sizeof(struct mip_3dm_device_status),
+                                                      0,
+                                                      sizeof(struct mip_3dm_device_status) >= 8,
+                                                      program_device_status,
+                                                      NULL};
 
-static bool asked_device_status_1(const void *value) {
-    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-    return v->status_selector == 1;
-}
-
-static bool asked_device_status_2(const void *value) {
-    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-    return v->status_selector == 2;
-}
-
+static const uint8_t asked_device_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
+static const uint8_t asked_device_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_device_status[] = {
-    {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
-    {&mip_3dm_device_status_basic_stateless_response_codec, asked_device_status_1},
-    {&mip_3dm_device_status_basic_gx3_response_codec, asked_device_status_1},
-    {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_rq1_45_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_gx4_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_imu_response_codec, asked_device_status_2},
-    {&mip_3dm_device_status_diagnostic_gx3_response_codec, asked_device_status_2},
-    {NULL, NULL},
+    {asked_device_status_1, &mip_3dm_device_status_basic_response_codec, 0x90},
+    {asked_device_status_1, &mip_3dm_device_status_basic_stateless_response_codec, 0x90},
+    {asked_device_status_1, &mip_3dm_device_status_basic_gx3_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_imu_response_codec, 0x90},
+    {asked_device_status_2, &mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec, NULL,
-                                                          responses_device_status, 0};
+const struct mip_exchange mip_3dm_device_status_exchange = {0x0C,  0x64, 0,
+                                                            false, NULL, responses_device_status};
+
+const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec,
+                                                          &mip_3dm_device_status_exchange};
 
 static const uint8_t program_device_status_basic_response[] = {
     MIP_LAYOUT(13, 14, 1, 2, 0x01),
@@ -2297,7 +2530,9 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_response),
     0,
-    program_device_status_basic_response};
+    false,
+    program_device_status_basic_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_basic_stateless_response[] = {
     MIP_LAYOUT(0, 12, 1, 2, 0x01),
@@ -2314,7 +2549,9 @@ const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_stateless_response),
     0,
-    program_device_status_basic_stateless_response};
+    false,
+    program_device_status_basic_stateless_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
     MIP_LAYOUT(0, 59, 1, 2, 0x02),
@@ -2335,7 +2572,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
     0,
-    program_device_status_diagnostic_response};
+    false,
+    program_device_status_diagnostic_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gnss_response[] = {
     MIP_LAYOUT(77, 79, 1, 2, 0x02),
@@ -2360,7 +2599,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
     0,
-    program_device_status_diagnostic_gnss_response};
+    false,
+    program_device_status_diagnostic_gnss_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
     MIP_LAYOUT(80, 85, 1, 2, 0x02),
@@ -2393,7 +2634,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
     0,
-    program_device_status_diagnostic_gq4_45_response};
+    false,
+    program_device_status_diagnostic_gq4_45_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
     MIP_LAYOUT(86, 104, 1, 2, 0x02),
@@ -2425,7 +2668,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = 
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
     0,
-    program_device_status_diagnostic_rq1_45_response};
+    false,
+    program_device_status_diagnostic_rq1_45_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gx4_response[] = {
     MIP_LAYOUT(73, 76, 1, 2, 0x02),
@@ -2445,7 +2690,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
     0,
-    program_device_status_diagnostic_gx4_response};
+    false,
+    program_device_status_diagnostic_gx4_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
     MIP_LAYOUT(60, 72, 1, 2, 0x02),
@@ -2470,7 +2717,9 @@ const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
     0,
-    program_device_status_diagnostic_imu_response};
+    false,
+    program_device_status_diagnostic_imu_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_basic_gx3_response[] = {
     MIP_LAYOUT(15, 253, 1, 2, 0x01),
@@ -2490,7 +2739,9 @@ const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_basic_gx3_response),
     0,
-    program_device_status_basic_gx3_response};
+    false,
+    program_device_status_basic_gx3_response,
+    &mip_layout};
 
 static const uint8_t program_device_status_diagnostic_gx3_response[] = {
     MIP_LAYOUT(105, 253, 1, 2, 0x02),
@@ -2524,4 +2775,6 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec = {
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx3_response),
     0,
-    program_device_status_diagnostic_gx3_response};
+    false,
+    program_device_status_diagnostic_gx3_response,
+    &mip_layout};

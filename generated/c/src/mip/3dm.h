@@ -458,12 +458,12 @@ extern MIP_API const struct mip_codec mip_3dm_poll_imu_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_imu_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_imu_data_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
+    const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
 }
 /**
@@ -526,12 +526,12 @@ extern MIP_API const struct mip_codec mip_3dm_poll_gnss_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_gnss_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_gnss_data_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
+    const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
 }
 /**
@@ -592,11 +592,11 @@ extern MIP_API const struct mip_codec mip_3dm_poll_filter_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_filter_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_filter_data_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_filter_data_encode(
+MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
 }
@@ -657,12 +657,12 @@ extern MIP_API const struct mip_codec mip_3dm_poll_nmea_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_nmea_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_nmea_data_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
+    const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
 }
 /**
@@ -711,11 +711,11 @@ extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_imu_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_imu_base_rate_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_imu_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
@@ -746,11 +746,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
     struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_imu_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_imu_base_rate_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
 }
@@ -770,7 +771,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x83, 2, &data);
@@ -810,11 +811,11 @@ extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_gnss_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_gnss_base_rate_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_gnss_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
@@ -846,11 +847,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
     struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_gnss_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_gnss_base_rate_response_codec, 0x84, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
 }
@@ -870,7 +872,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x84, 2, &data);
@@ -925,11 +927,11 @@ extern MIP_API const struct mip_codec mip_3dm_imu_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_message_format_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
 }
@@ -1006,11 +1008,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_message_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_response_decode(
     struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_message_format_response_codec, 0x80, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
@@ -1058,11 +1061,11 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_decode(
     struct mip_3dm_gnss_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_message_format_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
 }
@@ -1141,11 +1144,12 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_response_decode(
     struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_message_format_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
@@ -1194,11 +1198,12 @@ extern MIP_API const struct mip_codec mip_3dm_filter_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_decode(
     struct mip_3dm_filter_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_filter_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_filter_message_format_codec, 0x0A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_filter_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
 }
@@ -1276,11 +1281,12 @@ extern MIP_API const struct mip_codec mip_3dm_filter_message_format_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_response_decode(
     struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_filter_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_filter_message_format_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_filter_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encode(
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
@@ -1313,11 +1319,11 @@ extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_decode(
     struct mip_3dm_get_filter_base_rate *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_filter_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_filter_base_rate_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_filter_base_rate_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
@@ -1348,11 +1354,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
     struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_filter_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_filter_base_rate_response_codec, 0x8A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
 }
@@ -1372,7 +1379,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8A, 2, &data);
@@ -1427,11 +1434,11 @@ extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_decode(
     struct mip_3dm_nmea_message_format *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_nmea_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_nmea_message_format_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_nmea_message_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
 }
@@ -1507,11 +1514,12 @@ extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_response_decode(
     struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_nmea_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_nmea_message_format_response_codec, 0x8C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_nmea_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
@@ -1558,12 +1566,12 @@ extern MIP_API const struct mip_codec mip_3dm_poll_data_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_3dm_poll_data_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_poll_data_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
 }
 /**
@@ -1616,12 +1624,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_base_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_base_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_base_rate_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
+    const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
 }
 
@@ -1640,7 +1648,7 @@ static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_b
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_base_rate_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode_inline(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x0E, 1, &data);
@@ -1690,11 +1698,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_base_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_response_decode(
     struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_base_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_base_rate_response_codec, 0x8E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_base_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
 }
@@ -1715,7 +1724,7 @@ static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8E, 3, &data);
@@ -1772,12 +1781,12 @@ extern MIP_API const struct mip_codec mip_3dm_message_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_message_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_message_format_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
+    const struct mip_3dm_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
 }
 /**
@@ -1876,11 +1885,12 @@ extern MIP_API const struct mip_codec mip_3dm_message_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_response_decode(
     struct mip_3dm_message_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_message_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_message_format_response_codec, 0x8F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_message_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
@@ -1914,11 +1924,11 @@ extern MIP_API const struct mip_codec mip_3dm_factory_streaming_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_factory_streaming_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_factory_streaming_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_factory_streaming_encode(
+MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
 }
@@ -1939,7 +1949,7 @@ static inline mip_error mip_3dm_factory_streaming_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_factory_streaming_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode_inline(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 2, &data);
@@ -2018,11 +2028,11 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_decode(
     struct mip_3dm_data_stream_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_control_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_control_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
 }
@@ -2158,11 +2168,12 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_control_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_response_decode(
     struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_control_response_codec, 0x85, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
 }
@@ -2183,7 +2194,7 @@ static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x85, 2, &data);
@@ -2230,24 +2241,24 @@ extern MIP_API const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
     struct mip_3dm_raw_rtcm_2_3_message *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_raw_rtcm_2_3_message_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_raw_rtcm_2_3_message_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
+MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
     const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
 }
 /**
  * Raw RTCM 2.3 message. Fills the structure and returns its address.
  *
- * - data: Bytes of the RTCM stream.
+ * - data_: Bytes of the RTCM stream.
  */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
-    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data_count, const uint8_t data[]) {
+    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
-    command->data_count = data_count;
-    mip_copy(command->data, sizeof(command->data), data, data_count * sizeof(data[0]));
+    command->data_count = data__count;
+    mip_copy(command->data, sizeof(command->data), data_, data__count * sizeof(data_[0]));
     return command;
 }
 
@@ -2312,11 +2323,12 @@ extern MIP_API const struct mip_codec mip_3dm_constellation_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_decode(
     struct mip_3dm_constellation_settings *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_constellation_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_constellation_settings_codec, 0x21, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_constellation_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
 }
@@ -2403,11 +2415,12 @@ extern MIP_API const struct mip_codec mip_3dm_constellation_settings_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_response_decode(
     struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_constellation_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_constellation_settings_response_codec, 0xA0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_constellation_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_encode(
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
@@ -2462,11 +2475,11 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_sbas_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_sbas_settings_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_sbas_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
 }
@@ -2553,11 +2566,12 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
     struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_sbas_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_sbas_settings_response_codec, 0xA1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
@@ -2613,11 +2627,11 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_assisted_fix_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_assisted_fix_codec, 0x23, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_assisted_fix_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
 }
@@ -2700,11 +2714,12 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
     struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_assisted_fix_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_assisted_fix_response_codec, 0xA2, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
 }
@@ -2725,7 +2740,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA2, 2, &data);
@@ -2778,11 +2793,11 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_decode(
     struct mip_3dm_gnss_time_assistance *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_time_assistance_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_time_assistance_codec, 0x24, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_time_assistance_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
 }
@@ -2841,11 +2856,12 @@ extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
     struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gnss_time_assistance_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gnss_time_assistance_response_codec, 0xA3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
 }
@@ -2867,7 +2883,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA3, 14, &data);
@@ -2928,11 +2944,11 @@ extern MIP_API const struct mip_codec mip_3dm_pps_source_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_pps_source_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_pps_source_control_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_pps_source_control_encode(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
 }
@@ -3008,11 +3024,12 @@ extern MIP_API const struct mip_codec mip_3dm_pps_source_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_response_decode(
     struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_pps_source_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_pps_source_control_response_codec, 0xA8, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_pps_source_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
 }
@@ -3032,7 +3049,7 @@ static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA8, 1, &data);
@@ -3070,11 +3087,11 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_support_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_support_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_support_codec, 0x2A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_support_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
 }
@@ -3094,7 +3111,7 @@ static inline mip_error mip_3dm_get_event_support_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_event_support_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode_inline(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x2A, 1, &data);
@@ -3151,11 +3168,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_support_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_response_decode(
     struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_support_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_support_response_codec, 0xB4, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_support_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
@@ -3204,12 +3222,12 @@ extern MIP_API const struct mip_codec mip_3dm_event_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_control_codec, 0x2B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
+    const struct mip_3dm_event_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
 }
 /**
@@ -3306,11 +3324,12 @@ extern MIP_API const struct mip_codec mip_3dm_event_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_response_decode(
     struct mip_3dm_event_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_control_response_codec, 0xB5, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_control_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
 }
@@ -3331,7 +3350,7 @@ static inline mip_error mip_3dm_event_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_event_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode_inline(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB5, 2, &data);
@@ -3375,11 +3394,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_decode(
     struct mip_3dm_get_event_trigger_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_trigger_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_trigger_status_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_trigger_status_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
 }
@@ -3427,11 +3447,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
     struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_trigger_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_trigger_status_response_codec, 0xB6, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
@@ -3468,11 +3489,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_decode(
     struct mip_3dm_get_event_action_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_action_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_action_status_codec, 0x2D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_action_status_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
 }
@@ -3520,11 +3542,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_response_decode(
     struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_event_action_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_event_action_status_response_codec, 0xB7, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_event_action_status_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
@@ -3595,11 +3618,11 @@ extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_decode(
     struct mip_3dm_event_trigger_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_trigger_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_trigger_config_codec, 0x2E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_trigger_config_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
 }
@@ -3723,11 +3746,12 @@ extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_response_decode(
     struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_trigger_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_trigger_config_response_codec, 0xB8, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_trigger_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode(
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
@@ -3795,11 +3819,11 @@ extern MIP_API const struct mip_codec mip_3dm_event_action_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_decode(
     struct mip_3dm_event_action_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_action_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_action_config_codec, 0x2F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_action_config_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
 }
@@ -3919,11 +3943,12 @@ extern MIP_API const struct mip_codec mip_3dm_event_action_config_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_response_decode(
     struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_event_action_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_event_action_config_response_codec, 0xB9, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_event_action_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
@@ -3962,12 +3987,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_settings_codec, 0x30, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
+    const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_settings_codec, value, builder);
 }
 
@@ -3986,7 +4011,7 @@ static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_dev
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_settings_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode_inline(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x30, 1, &data);
@@ -4077,11 +4102,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
     struct mip_3dm_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_codec, 0x31, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
@@ -4163,11 +4189,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
     struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_euler_response_codec, 0xB1, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
     const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, builder);
 }
@@ -4189,7 +4216,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
@@ -4256,11 +4283,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
     struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_codec, 0x32, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
@@ -4339,11 +4367,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
     struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, 0xB2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, builder);
@@ -4366,7 +4395,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -4434,11 +4463,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
     struct mip_3dm_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_codec, 0x33, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
@@ -4515,11 +4545,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
     struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_to_vehicle_dcm_response_codec, 0xB3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
@@ -4541,7 +4572,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
     const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
@@ -4593,11 +4624,11 @@ extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dynamics_mode *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_dynamics_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_dynamics_mode_codec, 0x34, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_dynamics_mode_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
     const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
 }
@@ -4669,11 +4700,12 @@ extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
     struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_dynamics_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_dynamics_mode_response_codec, 0x92, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
 }
@@ -4693,7 +4725,7 @@ static inline mip_error mip_3dm_gps_dynamics_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_inline(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x92, 1, &data);
@@ -4779,11 +4811,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_decode(
     struct mip_3dm_imu_signal_conditioning *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_signal_conditioning_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_signal_conditioning_codec, 0x35, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_signal_conditioning_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
     const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
 }
@@ -4897,11 +4930,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
     struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_signal_conditioning_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_signal_conditioning_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
 }
@@ -4928,7 +4962,7 @@ static inline mip_error mip_3dm_imu_signal_conditioning_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode_inline(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x86, 13, &data);
@@ -4985,12 +5019,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestamp *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_timestamp_codec, 0x36, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_timestamp_encode(const struct mip_3dm_imu_timestamp *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
+    const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
 }
 /**
@@ -5049,11 +5083,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_response_decode(
     struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_timestamp_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_timestamp_response_codec, 0x93, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_timestamp_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
 }
@@ -5074,7 +5109,7 @@ static inline mip_error mip_3dm_imu_timestamp_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode_inline(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x93, 5, &data);
@@ -5127,12 +5162,12 @@ extern MIP_API const struct mip_codec mip_3dm_accel_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_3dm_accel_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_accel_bias_codec, 0x37, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
 }
 /**
@@ -5218,11 +5253,11 @@ extern MIP_API const struct mip_codec mip_3dm_accel_bias_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_response_decode(
     struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_accel_bias_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_accel_bias_response_codec, 0x9A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_accel_bias_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
 }
@@ -5244,7 +5279,7 @@ static inline mip_error mip_3dm_accel_bias_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_accel_bias_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9A, 12, &data);
@@ -5299,12 +5334,12 @@ extern MIP_API const struct mip_codec mip_3dm_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gyro_bias_codec, 0x38, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
 }
 /**
@@ -5390,11 +5425,11 @@ extern MIP_API const struct mip_codec mip_3dm_gyro_bias_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gyro_bias_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gyro_bias_response_codec, 0x9B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gyro_bias_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
 }
@@ -5416,7 +5451,7 @@ static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9B, 12, &data);
@@ -5468,11 +5503,11 @@ extern MIP_API const struct mip_codec mip_3dm_capture_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_3dm_capture_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_capture_gyro_bias_codec, 0x39, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_capture_gyro_bias_encode(
+MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
 }
@@ -5492,7 +5527,7 @@ static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x39, 2, &data);
@@ -5563,11 +5598,11 @@ extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
     struct mip_3dm_mag_hard_iron_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_hard_iron_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_codec, 0x3A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
 }
@@ -5654,11 +5689,12 @@ extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
     struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_hard_iron_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_hard_iron_offset_response_codec, 0x9C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
 }
@@ -5680,7 +5716,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9C, 12, &data);
@@ -5742,11 +5778,11 @@ extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
     struct mip_3dm_mag_soft_iron_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_soft_iron_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_codec, 0x3B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
 }
@@ -5836,11 +5872,12 @@ extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
     struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_response_codec, 0x9D, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
 }
@@ -5862,7 +5899,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9D, 36, &data);
@@ -5911,11 +5948,12 @@ extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_decode(
     struct mip_3dm_coning_sculling_enable *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_coning_sculling_enable_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_coning_sculling_enable_codec, 0x3E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_coning_sculling_enable_encode(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
 }
@@ -5986,11 +6024,12 @@ extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
     struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_coning_sculling_enable_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_coning_sculling_enable_response_codec, 0x9E, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
 }
@@ -6010,7 +6049,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9E, 1, &data);
@@ -6067,12 +6106,12 @@ extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_3dm_uart_baud_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_uart_baud_rate_codec, 0x40, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
+    const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
 }
 /**
@@ -6144,11 +6183,12 @@ extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_response_decode(
     struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_uart_baud_rate_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_uart_baud_rate_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_uart_baud_rate_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
 }
@@ -6168,7 +6208,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x87, 4, &data);
@@ -6244,12 +6284,12 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_config_codec, 0x41, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
 }
 /**
@@ -6366,11 +6406,11 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_response_decode(
     struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_config_response_codec, 0xC1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
 }
@@ -6393,7 +6433,7 @@ static inline mip_error mip_3dm_gpio_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gpio_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC1, 4, &data);
@@ -6454,12 +6494,12 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_state_codec, 0x42, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
 }
 /**
@@ -6516,11 +6556,11 @@ extern MIP_API const struct mip_codec mip_3dm_gpio_state_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_response_decode(
     struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gpio_state_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gpio_state_response_codec, 0xC2, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gpio_state_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
 }
@@ -6541,7 +6581,7 @@ static inline mip_error mip_3dm_gpio_state_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gpio_state_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC2, 2, &data);
@@ -6599,12 +6639,12 @@ extern MIP_API const struct mip_codec mip_3dm_odometer_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_odometer_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_odometer_config_codec, 0x43, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
+    const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
 }
 /**
@@ -6689,11 +6729,12 @@ extern MIP_API const struct mip_codec mip_3dm_odometer_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_response_decode(
     struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_odometer_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_odometer_config_response_codec, 0xC3, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_odometer_config_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
 }
@@ -6715,7 +6756,7 @@ static inline mip_error mip_3dm_odometer_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_odometer_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode_inline(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC3, 9, &data);
@@ -6793,11 +6834,11 @@ extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_decode(
     struct mip_3dm_imu_low_pass_filter *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_low_pass_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_low_pass_filter_codec, 0x50, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_low_pass_filter_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
 }
@@ -6925,11 +6966,12 @@ extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
     struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_imu_low_pass_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_imu_low_pass_filter_response_codec, 0x8B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
 }
@@ -6953,7 +6995,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8B, 6, &data);
@@ -7035,11 +7077,11 @@ extern MIP_API const struct mip_codec mip_3dm_complementary_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_decode(
     struct mip_3dm_complementary_filter *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_complementary_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_complementary_filter_codec, 0x51, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_complementary_filter_encode(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
 }
@@ -7131,11 +7173,12 @@ extern MIP_API const struct mip_codec mip_3dm_complementary_filter_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_response_decode(
     struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_complementary_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_complementary_filter_response_codec, 0x97, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_complementary_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
 }
@@ -7158,7 +7201,7 @@ static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x97, 10, &data);
@@ -7213,12 +7256,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_range_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_range_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_range_codec, 0x52, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
 }
 /**
@@ -7311,11 +7354,12 @@ extern MIP_API const struct mip_codec mip_3dm_sensor_range_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_response_decode(
     struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_range_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_sensor_range_response_codec, 0xD2, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_range_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
 }
@@ -7336,7 +7380,7 @@ static inline mip_error mip_3dm_sensor_range_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_range_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD2, 2, &data);
@@ -7376,11 +7420,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
     struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_codec, 0x53, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
 }
@@ -7400,7 +7445,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x53, 1, &data);
@@ -7459,11 +7504,12 @@ extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
     struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_response_codec, 0xD3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
@@ -7525,12 +7571,12 @@ extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_3dm_low_pass_filter_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_low_pass_filter_codec, 0x54, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
+    const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
 }
 /**
@@ -7647,11 +7693,12 @@ extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_response_decode(
     struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_low_pass_filter_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_low_pass_filter_response_codec, 0xD4, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_low_pass_filter_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
 }
@@ -7675,7 +7722,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD4, 8, &data);
@@ -7734,11 +7781,11 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_format_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_stream_format *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_format_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_format_codec, 0x60, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_format_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
     const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
 }
@@ -7847,11 +7894,12 @@ extern MIP_API const struct mip_codec mip_3dm_data_stream_format_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_response_decode(
     struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_data_stream_format_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_data_stream_format_response_codec, 0x88, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_data_stream_format_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
 }
@@ -7872,7 +7920,7 @@ static inline mip_error mip_3dm_data_stream_format_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_inline(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x88, 2, &data);
@@ -7927,11 +7975,11 @@ extern MIP_API const struct mip_codec mip_3dm_device_power_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_power_state *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_power_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_power_state_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_power_state_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
     const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
 }
@@ -8028,11 +8076,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_power_state_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_response_decode(
     struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_power_state_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_power_state_response_codec, 0x89, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_power_state_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
 }
@@ -8053,7 +8102,7 @@ static inline mip_error mip_3dm_device_power_state_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_power_state_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_inline(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x89, 2, &data);
@@ -8098,11 +8147,12 @@ extern MIP_API const struct mip_codec mip_3dm_gps_advanced_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_advanced_settings_decode(
     struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_gps_advanced_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_gps_advanced_settings_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_gps_advanced_settings_encode(
+MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
 }
@@ -8122,7 +8172,7 @@ static inline mip_error mip_3dm_gps_advanced_settings_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode_inline(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x62, 1, &data);
@@ -8199,12 +8249,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_codec, 0x64, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
+    const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_codec, value, builder);
 }
 
@@ -8224,7 +8274,7 @@ static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_devic
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_device_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_encode_inline(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x64, 3, &data);
@@ -8296,11 +8346,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_basic_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_response_decode(
     struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_basic_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
@@ -8353,11 +8404,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_basic_stateless_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_stateless_response_decode(
     struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_stateless_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_basic_stateless_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
     const struct mip_3dm_device_status_basic_stateless_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
@@ -8432,11 +8484,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
     struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
@@ -8529,11 +8582,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gnss_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
     struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
     const struct mip_3dm_device_status_diagnostic_gnss_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
@@ -8632,11 +8686,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
     struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
@@ -8735,11 +8790,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
     struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
@@ -8828,11 +8884,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
     struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx4_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
@@ -8921,11 +8978,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_imu_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
     struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_imu_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
@@ -8980,11 +9038,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_basic_gx3_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_gx3_response_decode(
     struct mip_3dm_device_status_basic_gx3_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_gx3_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_basic_gx3_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_gx3_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_encode(
     const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
 }
@@ -9092,11 +9151,12 @@ extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx3_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_decode(
     struct mip_3dm_device_status_diagnostic_gx3_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_encode(
+MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx3_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_poll_imu_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll IMU Data. */
 static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
@@ -57,6 +59,8 @@ static inline struct mip_result mip_call_3dm_poll_imu_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_poll_gnss_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll GNSS Data. */
 static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
@@ -97,6 +101,8 @@ static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_poll_filter_data_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Poll Estimation
@@ -137,6 +143,8 @@ static inline struct mip_result mip_call_3dm_poll_filter_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_poll_nmea_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll NMEA Data. */
 static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
@@ -158,10 +166,18 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
 static inline struct mip_result
 mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, uint8_t count,
                             const struct mip_nmea_message format_entries[]) {
-    struct mip_3dm_poll_nmea_data command;
-    return mip_device_call(
-        device, &mip_3dm_poll_nmea_data_command,
-        mip_3dm_poll_nmea_data_make(&command, suppress_ack, count, format_entries), NULL, NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)suppress_ack);
+    mip_put_8(data + 1, (uint8_t)count);
+    for (size_t i = 0; i < count && i < 50; i++) {
+        mip_put_8(data + 2 + 5 * i, (uint8_t)format_entries[i].message_id);
+        mip_put_8(data + 3 + 5 * i, (uint8_t)format_entries[i].talker_id);
+        mip_put_8(data + 4 + 5 * i, (uint8_t)format_entries[i].source_descriptor_set);
+        mip_put_16(data + 5 + 5 * i, (uint16_t)format_entries[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_poll_nmea_data_exchange, data,
+                           count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
+                           NULL);
 }
 
 /**
@@ -175,6 +191,8 @@ static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_imu_base_rate_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMU Data Base
@@ -190,12 +208,14 @@ static inline mip_error mip_send_3dm_get_imu_base_rate(
 /** Get IMU Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_imu_base_rate(
     struct mip_device *device, struct mip_3dm_get_imu_base_rate_response *response) {
-    return mip_device_call(device, &mip_3dm_get_imu_base_rate_command, NULL,
+    return mip_device_send(device, &mip_3dm_get_imu_base_rate_exchange, NULL, 0,
                            &mip_3dm_get_imu_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get GNSS Data Base
@@ -211,12 +231,14 @@ static inline mip_error mip_send_3dm_get_gnss_base_rate(
 /** Get GNSS Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
     struct mip_device *device, struct mip_3dm_get_gnss_base_rate_response *response) {
-    return mip_device_call(device, &mip_3dm_get_gnss_base_rate_command, NULL,
+    return mip_device_send(device, &mip_3dm_get_gnss_base_rate_exchange, NULL, 0,
                            &mip_3dm_get_gnss_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_imu_message_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. IMU Message Format.
@@ -239,18 +261,25 @@ static inline mip_error mip_send_3dm_imu_message_format(
 static inline struct mip_result
 mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                       const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_imu_message_format command;
-    return mip_device_call(device, &mip_3dm_imu_message_format_command,
-                           mip_3dm_imu_message_format_write(&command, num_descriptors, descriptors),
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)num_descriptors);
+    for (size_t i = 0; i < num_descriptors && i < 83; i++) {
+        mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
+        mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data,
+                           num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
+                                                 : MIP_MAX_FIELD_DATA + 1,
                            NULL, NULL);
 }
 
 /** IMU Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_read(
     struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
-    struct mip_3dm_imu_message_format command;
-    return mip_device_call(device, &mip_3dm_imu_message_format_command,
-                           mip_3dm_imu_message_format_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1,
                            &mip_3dm_imu_message_format_response_codec, response);
 }
 
@@ -258,23 +287,23 @@ static inline struct mip_result mip_call_3dm_imu_message_format_read(
  * IMU Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_imu_message_format_save(struct mip_device *device) {
-    struct mip_3dm_imu_message_format command;
-    return mip_device_call(device, &mip_3dm_imu_message_format_command,
-                           mip_3dm_imu_message_format_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** IMU Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_load(struct mip_device *device) {
-    struct mip_3dm_imu_message_format command;
-    return mip_device_call(device, &mip_3dm_imu_message_format_command,
-                           mip_3dm_imu_message_format_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** IMU Message Format: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_default(struct mip_device *device) {
-    struct mip_3dm_imu_message_format command;
-    return mip_device_call(device, &mip_3dm_imu_message_format_command,
-                           mip_3dm_imu_message_format_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_imu_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -290,6 +319,8 @@ static inline struct mip_result mip_call_3dm_imu_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gnss_message_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Message Format.
@@ -313,18 +344,25 @@ static inline mip_error mip_send_3dm_gnss_message_format(
 static inline struct mip_result
 mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                        const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_gnss_message_format command;
-    return mip_device_call(
-        device, &mip_3dm_gnss_message_format_command,
-        mip_3dm_gnss_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)num_descriptors);
+    for (size_t i = 0; i < num_descriptors && i < 83; i++) {
+        mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
+        mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data,
+                           num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
+                                                 : MIP_MAX_FIELD_DATA + 1,
+                           NULL, NULL);
 }
 
 /** GNSS Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_message_format_read(
     struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
-    struct mip_3dm_gnss_message_format command;
-    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
-                           mip_3dm_gnss_message_format_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1,
                            &mip_3dm_gnss_message_format_response_codec, response);
 }
 
@@ -332,24 +370,24 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_read(
  * GNSS Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_message_format_save(struct mip_device *device) {
-    struct mip_3dm_gnss_message_format command;
-    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
-                           mip_3dm_gnss_message_format_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_message_format_load(struct mip_device *device) {
-    struct mip_3dm_gnss_message_format command;
-    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
-                           mip_3dm_gnss_message_format_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS Message Format: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_gnss_message_format_default(struct mip_device *device) {
-    struct mip_3dm_gnss_message_format command;
-    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
-                           mip_3dm_gnss_message_format_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gnss_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -365,6 +403,8 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_filter_message_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation Filter
@@ -389,10 +429,17 @@ static inline mip_error mip_send_3dm_filter_message_format(
 static inline struct mip_result
 mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                          const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_filter_message_format command;
-    return mip_device_call(
-        device, &mip_3dm_filter_message_format_command,
-        mip_3dm_filter_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)num_descriptors);
+    for (size_t i = 0; i < num_descriptors && i < 83; i++) {
+        mip_put_8(data + 2 + 3 * i, (uint8_t)descriptors[i].descriptor);
+        mip_put_16(data + 3 + 3 * i, (uint16_t)descriptors[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data,
+                           num_descriptors <= 83 ? 2 + 3 * (size_t)num_descriptors
+                                                 : MIP_MAX_FIELD_DATA + 1,
+                           NULL, NULL);
 }
 
 /**
@@ -401,9 +448,9 @@ mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_
  */
 static inline struct mip_result mip_call_3dm_filter_message_format_read(
     struct mip_device *device, struct mip_3dm_filter_message_format_response *response) {
-    struct mip_3dm_filter_message_format command;
-    return mip_device_call(device, &mip_3dm_filter_message_format_command,
-                           mip_3dm_filter_message_format_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1,
                            &mip_3dm_filter_message_format_response_codec, response);
 }
 
@@ -412,16 +459,16 @@ static inline struct mip_result mip_call_3dm_filter_message_format_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_filter_message_format_save(struct mip_device *device) {
-    struct mip_3dm_filter_message_format command;
-    return mip_device_call(device, &mip_3dm_filter_message_format_command,
-                           mip_3dm_filter_message_format_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** Estimation Filter Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_filter_message_format_load(struct mip_device *device) {
-    struct mip_3dm_filter_message_format command;
-    return mip_device_call(device, &mip_3dm_filter_message_format_command,
-                           mip_3dm_filter_message_format_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -429,9 +476,9 @@ static inline struct mip_result mip_call_3dm_filter_message_format_load(struct m
  */
 static inline struct mip_result
 mip_call_3dm_filter_message_format_default(struct mip_device *device) {
-    struct mip_3dm_filter_message_format command;
-    return mip_device_call(device, &mip_3dm_filter_message_format_command,
-                           mip_3dm_filter_message_format_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_filter_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -447,6 +494,8 @@ static inline struct mip_result mip_call_3dm_filter_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_filter_base_rate_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Estimation Filter
@@ -463,12 +512,14 @@ static inline mip_error mip_send_3dm_get_filter_base_rate(
 /** Get Estimation Filter Data Base Rate. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_get_filter_base_rate(
     struct mip_device *device, struct mip_3dm_get_filter_base_rate_response *response) {
-    return mip_device_call(device, &mip_3dm_get_filter_base_rate_command, NULL,
+    return mip_device_send(device, &mip_3dm_get_filter_base_rate_exchange, NULL, 0,
                            &mip_3dm_get_filter_base_rate_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_nmea_message_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. NMEA Message Format.
@@ -490,18 +541,26 @@ static inline mip_error mip_send_3dm_nmea_message_format(
  */
 static inline struct mip_result mip_call_3dm_nmea_message_format_write(
     struct mip_device *device, uint8_t count, const struct mip_nmea_message format_entries[]) {
-    struct mip_3dm_nmea_message_format command;
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
-                           mip_3dm_nmea_message_format_write(&command, count, format_entries), NULL,
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)count);
+    for (size_t i = 0; i < count && i < 50; i++) {
+        mip_put_8(data + 2 + 5 * i, (uint8_t)format_entries[i].message_id);
+        mip_put_8(data + 3 + 5 * i, (uint8_t)format_entries[i].talker_id);
+        mip_put_8(data + 4 + 5 * i, (uint8_t)format_entries[i].source_descriptor_set);
+        mip_put_16(data + 5 + 5 * i, (uint16_t)format_entries[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data,
+                           count <= 50 ? 2 + 5 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
                            NULL);
 }
 
 /** NMEA Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_nmea_message_format_read(
     struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
-    struct mip_3dm_nmea_message_format command;
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
-                           mip_3dm_nmea_message_format_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1,
                            &mip_3dm_nmea_message_format_response_codec, response);
 }
 
@@ -509,24 +568,24 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_read(
  * NMEA Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_nmea_message_format_save(struct mip_device *device) {
-    struct mip_3dm_nmea_message_format command;
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
-                           mip_3dm_nmea_message_format_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** NMEA Message Format: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_nmea_message_format_load(struct mip_device *device) {
-    struct mip_3dm_nmea_message_format command;
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
-                           mip_3dm_nmea_message_format_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /** NMEA Message Format: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_nmea_message_format_default(struct mip_device *device) {
-    struct mip_3dm_nmea_message_format command;
-    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
-                           mip_3dm_nmea_message_format_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_nmea_message_format_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -542,6 +601,8 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_data_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_poll_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll Data. */
 static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
@@ -566,10 +627,16 @@ static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device
                                                        mip_bool suppress_ack,
                                                        uint8_t num_descriptors,
                                                        const uint8_t descriptors[]) {
-    struct mip_3dm_poll_data command;
-    return mip_device_call(device, &mip_3dm_poll_data_command,
-                           mip_3dm_poll_data_make(&command, descriptor_set, suppress_ack,
-                                                  num_descriptors, descriptors),
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)descriptor_set);
+    mip_put_8(data + 1, (uint8_t)suppress_ack);
+    mip_put_8(data + 2, (uint8_t)num_descriptors);
+    for (size_t i = 0; i < num_descriptors && i < 250; i++) {
+        mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
+    }
+    return mip_device_send(device, &mip_3dm_poll_data_exchange, data,
+                           num_descriptors <= 250 ? 3 + 1 * (size_t)num_descriptors
+                                                  : MIP_MAX_FIELD_DATA + 1,
                            NULL, NULL);
 }
 
@@ -584,6 +651,8 @@ mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_base_rate_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Data Base Rate.
@@ -607,9 +676,9 @@ static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
 static inline struct mip_result
 mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
                            struct mip_3dm_get_base_rate_response *response) {
-    struct mip_3dm_get_base_rate command;
-    return mip_device_call(device, &mip_3dm_get_base_rate_command,
-                           mip_3dm_get_base_rate_make(&command, descriptor_set),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_get_base_rate_exchange, data, 1,
                            &mip_3dm_get_base_rate_response_codec, response);
 }
 
@@ -626,6 +695,8 @@ static inline struct mip_result mip_call_3dm_get_base_rate_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_message_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_message_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Message Format. If
@@ -649,11 +720,18 @@ static inline mip_error mip_send_3dm_message_format(
 static inline struct mip_result mip_call_3dm_message_format_write(
     struct mip_device *device, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_message_format command;
-    return mip_device_call(
-        device, &mip_3dm_message_format_command,
-        mip_3dm_message_format_write(&command, descriptor_set, num_descriptors, descriptors), NULL,
-        NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)num_descriptors);
+    for (size_t i = 0; i < num_descriptors && i < 83; i++) {
+        mip_put_8(data + 3 + 3 * i, (uint8_t)descriptors[i].descriptor);
+        mip_put_16(data + 4 + 3 * i, (uint16_t)descriptors[i].decimation);
+    }
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data,
+                           num_descriptors <= 83 ? 3 + 3 * (size_t)num_descriptors
+                                                 : MIP_MAX_FIELD_DATA + 1,
+                           NULL, NULL);
 }
 
 /**
@@ -664,9 +742,10 @@ static inline struct mip_result mip_call_3dm_message_format_write(
 static inline struct mip_result
 mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
                                  struct mip_3dm_message_format_response *response) {
-    struct mip_3dm_message_format command;
-    return mip_device_call(device, &mip_3dm_message_format_command,
-                           mip_3dm_message_format_read(&command, descriptor_set),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2,
                            &mip_3dm_message_format_response_codec, response);
 }
 
@@ -677,9 +756,10 @@ mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_s
  */
 static inline struct mip_result mip_call_3dm_message_format_save(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
-    struct mip_3dm_message_format command;
-    return mip_device_call(device, &mip_3dm_message_format_command,
-                           mip_3dm_message_format_save(&command, descriptor_set), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -689,9 +769,10 @@ static inline struct mip_result mip_call_3dm_message_format_save(struct mip_devi
  */
 static inline struct mip_result mip_call_3dm_message_format_load(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
-    struct mip_3dm_message_format command;
-    return mip_device_call(device, &mip_3dm_message_format_command,
-                           mip_3dm_message_format_load(&command, descriptor_set), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -701,9 +782,10 @@ static inline struct mip_result mip_call_3dm_message_format_load(struct mip_devi
  */
 static inline struct mip_result mip_call_3dm_message_format_default(struct mip_device *device,
                                                                     uint8_t descriptor_set) {
-    struct mip_3dm_message_format command;
-    return mip_device_call(device, &mip_3dm_message_format_command,
-                           mip_3dm_message_format_default(&command, descriptor_set), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_message_format_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -719,6 +801,8 @@ static inline struct mip_result mip_call_3dm_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_factory_streaming_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Factory Streaming.
@@ -737,9 +821,10 @@ static inline mip_error mip_send_3dm_factory_streaming(
  */
 static inline struct mip_result mip_call_3dm_factory_streaming(
     struct mip_device *device, enum mip_3dm_factory_streaming_action action) {
-    struct mip_3dm_factory_streaming command;
-    return mip_device_call(device, &mip_3dm_factory_streaming_command,
-                           mip_3dm_factory_streaming_make(&command, action), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)action);
+    mip_put_8(data + 1, (uint8_t)0);
+    return mip_device_send(device, &mip_3dm_factory_streaming_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -753,6 +838,8 @@ static inline struct mip_result mip_call_3dm_factory_streaming_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_data_stream_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Data Stream Control.
@@ -782,10 +869,11 @@ static inline mip_error mip_send_3dm_data_stream_control(
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
                                                                        uint8_t descriptor_set,
                                                                        mip_bool enable) {
-    struct mip_3dm_data_stream_control command;
-    return mip_device_call(device, &mip_3dm_data_stream_control_command,
-                           mip_3dm_data_stream_control_write(&command, descriptor_set, enable),
-                           NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)enable);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -802,9 +890,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
                                       struct mip_3dm_data_stream_control_response *response) {
-    struct mip_3dm_data_stream_control command;
-    return mip_device_call(device, &mip_3dm_data_stream_control_command,
-                           mip_3dm_data_stream_control_read(&command, descriptor_set),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2,
                            &mip_3dm_data_stream_control_response_codec, response);
 }
 
@@ -821,9 +910,10 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control command;
-    return mip_device_call(device, &mip_3dm_data_stream_control_command,
-                           mip_3dm_data_stream_control_save(&command, descriptor_set), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -839,9 +929,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control command;
-    return mip_device_call(device, &mip_3dm_data_stream_control_command,
-                           mip_3dm_data_stream_control_load(&command, descriptor_set), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -857,10 +948,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
                                                                          uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control command;
-    return mip_device_call(device, &mip_3dm_data_stream_control_command,
-                           mip_3dm_data_stream_control_default(&command, descriptor_set), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    return mip_device_send(device, &mip_3dm_data_stream_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -876,6 +967,8 @@ static inline struct mip_result mip_call_3dm_data_stream_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Raw RTCM 2.3 message.
@@ -890,14 +983,14 @@ static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
 /**
  * Raw RTCM 2.3 message. See mip_device_call.
  *
- * - data: Bytes of the RTCM stream.
+ * - data_: Bytes of the RTCM stream.
  */
 static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message(struct mip_device *device,
-                                                                  uint8_t data_count,
-                                                                  const uint8_t data[]) {
+                                                                  uint8_t data__count,
+                                                                  const uint8_t data_[]) {
     struct mip_3dm_raw_rtcm_2_3_message command;
     return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command,
-                           mip_3dm_raw_rtcm_2_3_message_make(&command, data_count, data), NULL,
+                           mip_3dm_raw_rtcm_2_3_message_make(&command, data__count, data_), NULL,
                            NULL);
 }
 
@@ -912,6 +1005,8 @@ static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_constellation_settings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Constellation
@@ -937,19 +1032,28 @@ static inline mip_error mip_send_3dm_constellation_settings(
 static inline struct mip_result mip_call_3dm_constellation_settings_write(
     struct mip_device *device, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
-    struct mip_3dm_constellation_settings command;
-    return mip_device_call(
-        device, &mip_3dm_constellation_settings_command,
-        mip_3dm_constellation_settings_write(&command, max_channels, config_count, settings), NULL,
-        NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_16(data + 1, (uint16_t)max_channels);
+    mip_put_8(data + 3, (uint8_t)config_count);
+    for (size_t i = 0; i < config_count && i < 41; i++) {
+        mip_put_8(data + 4 + 6 * i, (uint8_t)settings[i].constellation_id);
+        mip_put_8(data + 5 + 6 * i, (uint8_t)settings[i].enable);
+        mip_put_8(data + 6 + 6 * i, (uint8_t)settings[i].reserved_channels);
+        mip_put_8(data + 7 + 6 * i, (uint8_t)settings[i].max_channels);
+        mip_put_16(data + 8 + 6 * i, (uint16_t)settings[i].option_flags);
+    }
+    return mip_device_send(
+        device, &mip_3dm_constellation_settings_exchange, data,
+        config_count <= 41 ? 4 + 6 * (size_t)config_count : MIP_MAX_FIELD_DATA + 1, NULL, NULL);
 }
 
 /** Constellation Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_constellation_settings_read(
     struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
-    struct mip_3dm_constellation_settings command;
-    return mip_device_call(device, &mip_3dm_constellation_settings_command,
-                           mip_3dm_constellation_settings_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1,
                            &mip_3dm_constellation_settings_response_codec, response);
 }
 
@@ -959,25 +1063,25 @@ static inline struct mip_result mip_call_3dm_constellation_settings_read(
  */
 static inline struct mip_result
 mip_call_3dm_constellation_settings_save(struct mip_device *device) {
-    struct mip_3dm_constellation_settings command;
-    return mip_device_call(device, &mip_3dm_constellation_settings_command,
-                           mip_3dm_constellation_settings_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** Constellation Settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_constellation_settings_load(struct mip_device *device) {
-    struct mip_3dm_constellation_settings command;
-    return mip_device_call(device, &mip_3dm_constellation_settings_command,
-                           mip_3dm_constellation_settings_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** Constellation Settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_constellation_settings_default(struct mip_device *device) {
-    struct mip_3dm_constellation_settings command;
-    return mip_device_call(device, &mip_3dm_constellation_settings_command,
-                           mip_3dm_constellation_settings_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_constellation_settings_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -993,6 +1097,8 @@ static inline struct mip_result mip_call_3dm_constellation_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS SBAS Settings.
@@ -1020,19 +1126,26 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
     struct mip_device *device, uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
     uint8_t num_included_prns, const uint16_t included_prns[]) {
-    struct mip_3dm_gnss_sbas_settings command;
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
-                           mip_3dm_gnss_sbas_settings_write(&command, enable_sbas, sbas_options,
-                                                            num_included_prns, included_prns),
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable_sbas);
+    mip_put_16(data + 2, (uint16_t)sbas_options);
+    mip_put_8(data + 4, (uint8_t)num_included_prns);
+    for (size_t i = 0; i < num_included_prns && i < 124; i++) {
+        mip_put_16(data + 5 + 2 * i, (uint16_t)included_prns[i]);
+    }
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data,
+                           num_included_prns <= 124 ? 5 + 2 * (size_t)num_included_prns
+                                                    : MIP_MAX_FIELD_DATA + 1,
                            NULL, NULL);
 }
 
 /** GNSS SBAS Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
     struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
-    struct mip_3dm_gnss_sbas_settings command;
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
-                           mip_3dm_gnss_sbas_settings_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1,
                            &mip_3dm_gnss_sbas_settings_response_codec, response);
 }
 
@@ -1040,23 +1153,23 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
  * GNSS SBAS Settings: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_save(struct mip_device *device) {
-    struct mip_3dm_gnss_sbas_settings command;
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
-                           mip_3dm_gnss_sbas_settings_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS SBAS Settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_load(struct mip_device *device) {
-    struct mip_3dm_gnss_sbas_settings command;
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
-                           mip_3dm_gnss_sbas_settings_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS SBAS Settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_default(struct mip_device *device) {
-    struct mip_3dm_gnss_sbas_settings command;
-    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
-                           mip_3dm_gnss_sbas_settings_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gnss_sbas_settings_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1072,6 +1185,8 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Assisted Fix. If
@@ -1094,17 +1209,19 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
-    struct mip_3dm_gnss_assisted_fix command;
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
-                           mip_3dm_gnss_assisted_fix_write(&command, option), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)option);
+    mip_put_8(data + 2, (uint8_t)255);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 3, NULL, NULL);
 }
 
 /** GNSS Assisted Fix: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
     struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
-    struct mip_3dm_gnss_assisted_fix command;
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
-                           mip_3dm_gnss_assisted_fix_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1,
                            &mip_3dm_gnss_assisted_fix_response_codec, response);
 }
 
@@ -1112,23 +1229,23 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
  * GNSS Assisted Fix: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_save(struct mip_device *device) {
-    struct mip_3dm_gnss_assisted_fix command;
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
-                           mip_3dm_gnss_assisted_fix_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS Assisted Fix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_load(struct mip_device *device) {
-    struct mip_3dm_gnss_assisted_fix command;
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
-                           mip_3dm_gnss_assisted_fix_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS Assisted Fix: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_default(struct mip_device *device) {
-    struct mip_3dm_gnss_assisted_fix command;
-    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
-                           mip_3dm_gnss_assisted_fix_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gnss_assisted_fix_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1144,6 +1261,8 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gnss_time_assistance_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Time Assistance.
@@ -1168,18 +1287,20 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct m
                                                                         double tow,
                                                                         uint16_t week_number,
                                                                         float accuracy) {
-    struct mip_3dm_gnss_time_assistance command;
-    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command,
-                           mip_3dm_gnss_time_assistance_write(&command, tow, week_number, accuracy),
-                           NULL, NULL);
+    uint8_t data[15];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_double(data + 1, &tow);
+    mip_put_16(data + 9, (uint16_t)week_number);
+    mip_put_float(data + 11, &accuracy);
+    return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 15, NULL, NULL);
 }
 
 /** GNSS Time Assistance: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
     struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
-    struct mip_3dm_gnss_time_assistance command;
-    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command,
-                           mip_3dm_gnss_time_assistance_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gnss_time_assistance_exchange, data, 1,
                            &mip_3dm_gnss_time_assistance_response_codec, response);
 }
 
@@ -1196,6 +1317,8 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_pps_source_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. PPS Source Control.
@@ -1221,17 +1344,18 @@ static inline mip_error mip_send_3dm_pps_source_control(
  */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
-    struct mip_3dm_pps_source_control command;
-    return mip_device_call(device, &mip_3dm_pps_source_control_command,
-                           mip_3dm_pps_source_control_write(&command, source), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 2, NULL, NULL);
 }
 
 /** PPS Source Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_read(
     struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
-    struct mip_3dm_pps_source_control command;
-    return mip_device_call(device, &mip_3dm_pps_source_control_command,
-                           mip_3dm_pps_source_control_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1,
                            &mip_3dm_pps_source_control_response_codec, response);
 }
 
@@ -1239,23 +1363,23 @@ static inline struct mip_result mip_call_3dm_pps_source_control_read(
  * PPS Source Control: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_pps_source_control_save(struct mip_device *device) {
-    struct mip_3dm_pps_source_control command;
-    return mip_device_call(device, &mip_3dm_pps_source_control_command,
-                           mip_3dm_pps_source_control_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
 }
 
 /** PPS Source Control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_load(struct mip_device *device) {
-    struct mip_3dm_pps_source_control command;
-    return mip_device_call(device, &mip_3dm_pps_source_control_command,
-                           mip_3dm_pps_source_control_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
 }
 
 /** PPS Source Control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_default(struct mip_device *device) {
-    struct mip_3dm_pps_source_control command;
-    return mip_device_call(device, &mip_3dm_pps_source_control_command,
-                           mip_3dm_pps_source_control_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_pps_source_control_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1271,6 +1395,8 @@ static inline struct mip_result mip_call_3dm_pps_source_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_event_support_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Supported Events.
@@ -1292,9 +1418,9 @@ static inline mip_error mip_send_3dm_get_event_support(
 static inline struct mip_result
 mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_support_query query,
                                struct mip_3dm_get_event_support_response *response) {
-    struct mip_3dm_get_event_support command;
-    return mip_device_call(device, &mip_3dm_get_event_support_command,
-                           mip_3dm_get_event_support_make(&command, query),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)query);
+    return mip_device_send(device, &mip_3dm_get_event_support_exchange, data, 1,
                            &mip_3dm_get_event_support_response_codec, response);
 }
 
@@ -1311,6 +1437,8 @@ static inline struct mip_result mip_call_3dm_get_event_support_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_event_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Event Control. If the
@@ -1336,9 +1464,11 @@ static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
 static inline struct mip_result mip_call_3dm_event_control_write(struct mip_device *device,
                                                                  uint8_t instance,
                                                                  enum mip_event_trigger_mode mode) {
-    struct mip_3dm_event_control command;
-    return mip_device_call(device, &mip_3dm_event_control_command,
-                           mip_3dm_event_control_write(&command, instance, mode), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)instance);
+    mip_put_8(data + 2, (uint8_t)mode);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -1348,9 +1478,10 @@ static inline struct mip_result mip_call_3dm_event_control_write(struct mip_devi
  */
 static inline struct mip_result mip_call_3dm_event_control_read(
     struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
-    struct mip_3dm_event_control command;
-    return mip_device_call(device, &mip_3dm_event_control_command,
-                           mip_3dm_event_control_read(&command, instance),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2,
                            &mip_3dm_event_control_response_codec, response);
 }
 
@@ -1361,9 +1492,10 @@ static inline struct mip_result mip_call_3dm_event_control_read(
  */
 static inline struct mip_result mip_call_3dm_event_control_save(struct mip_device *device,
                                                                 uint8_t instance) {
-    struct mip_3dm_event_control command;
-    return mip_device_call(device, &mip_3dm_event_control_command,
-                           mip_3dm_event_control_save(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1373,9 +1505,10 @@ static inline struct mip_result mip_call_3dm_event_control_save(struct mip_devic
  */
 static inline struct mip_result mip_call_3dm_event_control_load(struct mip_device *device,
                                                                 uint8_t instance) {
-    struct mip_3dm_event_control command;
-    return mip_device_call(device, &mip_3dm_event_control_command,
-                           mip_3dm_event_control_load(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1385,9 +1518,10 @@ static inline struct mip_result mip_call_3dm_event_control_load(struct mip_devic
  */
 static inline struct mip_result mip_call_3dm_event_control_default(struct mip_device *device,
                                                                    uint8_t instance) {
-    struct mip_3dm_event_control command;
-    return mip_device_call(device, &mip_3dm_event_control_command,
-                           mip_3dm_event_control_default(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1403,6 +1537,8 @@ static inline struct mip_result mip_call_3dm_event_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_event_trigger_status_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Trigger
@@ -1427,11 +1563,15 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
 static inline struct mip_result mip_call_3dm_get_event_trigger_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_trigger_status_response *response) {
-    struct mip_3dm_get_event_trigger_status command;
-    return mip_device_call(
-        device, &mip_3dm_get_event_trigger_status_command,
-        mip_3dm_get_event_trigger_status_make(&command, requested_count, requested_instances),
-        &mip_3dm_get_event_trigger_status_response_codec, response);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)requested_count);
+    for (size_t i = 0; i < requested_count && i < 252; i++) {
+        mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
+    }
+    return mip_device_send(device, &mip_3dm_get_event_trigger_status_exchange, data,
+                           requested_count <= 252 ? 1 + 1 * (size_t)requested_count
+                                                  : MIP_MAX_FIELD_DATA + 1,
+                           &mip_3dm_get_event_trigger_status_response_codec, response);
 }
 
 /**
@@ -1447,6 +1587,8 @@ static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_event_action_status_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Action
@@ -1470,11 +1612,15 @@ static inline mip_error mip_send_3dm_get_event_action_status(
 static inline struct mip_result mip_call_3dm_get_event_action_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_action_status_response *response) {
-    struct mip_3dm_get_event_action_status command;
-    return mip_device_call(
-        device, &mip_3dm_get_event_action_status_command,
-        mip_3dm_get_event_action_status_make(&command, requested_count, requested_instances),
-        &mip_3dm_get_event_action_status_response_codec, response);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)requested_count);
+    for (size_t i = 0; i < requested_count && i < 252; i++) {
+        mip_put_8(data + 1 + 1 * i, (uint8_t)requested_instances[i]);
+    }
+    return mip_device_send(device, &mip_3dm_get_event_action_status_exchange, data,
+                           requested_count <= 252 ? 1 + 1 * (size_t)requested_count
+                                                  : MIP_MAX_FIELD_DATA + 1,
+                           &mip_3dm_get_event_action_status_response_codec, response);
 }
 
 /**
@@ -1490,6 +1636,8 @@ static inline struct mip_result mip_call_3dm_get_event_action_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_event_trigger_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Event Trigger
@@ -1530,9 +1678,10 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_write(
 static inline struct mip_result
 mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
                                        struct mip_3dm_event_trigger_config_response *response) {
-    struct mip_3dm_event_trigger_config command;
-    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
-                           mip_3dm_event_trigger_config_read(&command, instance),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2,
                            &mip_3dm_event_trigger_config_response_codec, response);
 }
 
@@ -1544,9 +1693,10 @@ mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instan
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mip_device *device,
                                                                        uint8_t instance) {
-    struct mip_3dm_event_trigger_config command;
-    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
-                           mip_3dm_event_trigger_config_save(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1556,9 +1706,10 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mi
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mip_device *device,
                                                                        uint8_t instance) {
-    struct mip_3dm_event_trigger_config command;
-    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
-                           mip_3dm_event_trigger_config_load(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1568,9 +1719,10 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mi
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct mip_device *device,
                                                                           uint8_t instance) {
-    struct mip_3dm_event_trigger_config command;
-    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
-                           mip_3dm_event_trigger_config_default(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_trigger_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1586,6 +1738,8 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_event_action_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Event Action
@@ -1628,9 +1782,10 @@ static inline struct mip_result mip_call_3dm_event_action_config_write(
 static inline struct mip_result
 mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
                                       struct mip_3dm_event_action_config_response *response) {
-    struct mip_3dm_event_action_config command;
-    return mip_device_call(device, &mip_3dm_event_action_config_command,
-                           mip_3dm_event_action_config_read(&command, instance),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2,
                            &mip_3dm_event_action_config_response_codec, response);
 }
 
@@ -1642,9 +1797,10 @@ mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instanc
  */
 static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip_device *device,
                                                                       uint8_t instance) {
-    struct mip_3dm_event_action_config command;
-    return mip_device_call(device, &mip_3dm_event_action_config_command,
-                           mip_3dm_event_action_config_save(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1654,9 +1810,10 @@ static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip
  */
 static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip_device *device,
                                                                       uint8_t instance) {
-    struct mip_3dm_event_action_config command;
-    return mip_device_call(device, &mip_3dm_event_action_config_command,
-                           mip_3dm_event_action_config_load(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1666,9 +1823,10 @@ static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip
  */
 static inline struct mip_result mip_call_3dm_event_action_config_default(struct mip_device *device,
                                                                          uint8_t instance) {
-    struct mip_3dm_event_action_config command;
-    return mip_device_call(device, &mip_3dm_event_action_config_command,
-                           mip_3dm_event_action_config_default(&command, instance), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_3dm_event_action_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -1684,6 +1842,8 @@ static inline struct mip_result mip_call_3dm_event_action_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_settings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_device_settings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Start Up
@@ -1703,23 +1863,23 @@ static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_device_settings_save(struct mip_device *device) {
-    struct mip_3dm_device_settings command;
-    return mip_device_call(device, &mip_3dm_device_settings_command,
-                           mip_3dm_device_settings_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** Device Start Up Settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_device_settings_load(struct mip_device *device) {
-    struct mip_3dm_device_settings command;
-    return mip_device_call(device, &mip_3dm_device_settings_command,
-                           mip_3dm_device_settings_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** Device Start Up Settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_device_settings_default(struct mip_device *device) {
-    struct mip_3dm_device_settings command;
-    return mip_device_call(device, &mip_3dm_device_settings_command,
-                           mip_3dm_device_settings_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_device_settings_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1733,6 +1893,8 @@ static inline struct mip_result mip_call_3dm_device_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_euler_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_euler_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
@@ -1756,10 +1918,12 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
-    struct mip_3dm_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
-                           mip_3dm_sensor_to_vehicle_euler_write(&command, roll, pitch, yaw), NULL,
-                           NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_float(data + 1, &roll);
+    mip_put_float(data + 5, &pitch);
+    mip_put_float(data + 9, &yaw);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -1768,9 +1932,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_euler_response *response) {
-    struct mip_3dm_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
-                           mip_3dm_sensor_to_vehicle_euler_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1,
                            &mip_3dm_sensor_to_vehicle_euler_response_codec, response);
 }
 
@@ -1780,9 +1944,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_euler_save(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
-                           mip_3dm_sensor_to_vehicle_euler_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1790,9 +1954,9 @@ mip_call_3dm_sensor_to_vehicle_euler_save(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_euler_load(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
-                           mip_3dm_sensor_to_vehicle_euler_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1801,9 +1965,9 @@ mip_call_3dm_sensor_to_vehicle_euler_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_euler_default(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
-                           mip_3dm_sensor_to_vehicle_euler_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_euler_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1819,6 +1983,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_quaternion_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
@@ -1843,9 +2009,13 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
-    struct mip_3dm_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           mip_3dm_sensor_to_vehicle_quaternion_write(&command, q), NULL, NULL);
+    uint8_t data[17];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 1 + 4 * i, &q[i]);
+    }
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 17, NULL,
+                           NULL);
 }
 
 /**
@@ -1854,9 +2024,9 @@ mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_quaternion_response *response) {
-    struct mip_3dm_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           mip_3dm_sensor_to_vehicle_quaternion_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1,
                            &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response);
 }
 
@@ -1866,9 +2036,10 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           mip_3dm_sensor_to_vehicle_quaternion_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1877,9 +2048,10 @@ mip_call_3dm_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           mip_3dm_sensor_to_vehicle_quaternion_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1888,9 +2060,10 @@ mip_call_3dm_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
-                           mip_3dm_sensor_to_vehicle_quaternion_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1906,6 +2079,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_dcm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
@@ -1929,9 +2104,12 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct mip_device *device,
                                                                          const float dcm[9]) {
-    struct mip_3dm_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
-                           mip_3dm_sensor_to_vehicle_dcm_write(&command, dcm), NULL, NULL);
+    uint8_t data[37];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 1 + 4 * i, &dcm[i]);
+    }
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 37, NULL, NULL);
 }
 
 /**
@@ -1940,9 +2118,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct 
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
-    struct mip_3dm_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
-                           mip_3dm_sensor_to_vehicle_dcm_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1,
                            &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
 }
 
@@ -1951,9 +2129,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
  * non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_save(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
-                           mip_3dm_sensor_to_vehicle_dcm_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1961,9 +2139,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_save(struct m
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_load(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
-                           mip_3dm_sensor_to_vehicle_dcm_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1972,9 +2150,9 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_load(struct m
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_dcm_default(struct mip_device *device) {
-    struct mip_3dm_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
-                           mip_3dm_sensor_to_vehicle_dcm_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1990,6 +2168,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPS dynamics mode. If
@@ -2010,17 +2190,18 @@ static inline mip_error mip_send_3dm_gps_dynamics_mode(
  */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_write(
     struct mip_device *device, enum mip_3dm_receiver_dynamics mode) {
-    struct mip_3dm_gps_dynamics_mode command;
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
-                           mip_3dm_gps_dynamics_mode_write(&command, mode), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)mode);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 2, NULL, NULL);
 }
 
 /** GPS dynamics mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
     struct mip_device *device, struct mip_3dm_gps_dynamics_mode_response *response) {
-    struct mip_3dm_gps_dynamics_mode command;
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
-                           mip_3dm_gps_dynamics_mode_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1,
                            &mip_3dm_gps_dynamics_mode_response_codec, response);
 }
 
@@ -2028,23 +2209,23 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_read(
  * GPS dynamics mode: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_save(struct mip_device *device) {
-    struct mip_3dm_gps_dynamics_mode command;
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
-                           mip_3dm_gps_dynamics_mode_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** GPS dynamics mode: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_load(struct mip_device *device) {
-    struct mip_3dm_gps_dynamics_mode command;
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
-                           mip_3dm_gps_dynamics_mode_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** GPS dynamics mode: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_dynamics_mode_default(struct mip_device *device) {
-    struct mip_3dm_gps_dynamics_mode command;
-    return mip_device_call(device, &mip_3dm_gps_dynamics_mode_command,
-                           mip_3dm_gps_dynamics_mode_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gps_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2060,6 +2241,8 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. IMU signal
@@ -2096,21 +2279,25 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_write(
     mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
     uint8_t mag_filter_width, uint16_t up_compensation, uint16_t north_compensation,
     enum mip_3dm_mag_bandwidth mag_bandwidth) {
-    struct mip_3dm_imu_signal_conditioning command;
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
-                           mip_3dm_imu_signal_conditioning_write(
-                               &command, orientation_decimation, data_conditioning_flags,
-                               inertial_filter_width, mag_filter_width, up_compensation,
-                               north_compensation, mag_bandwidth),
-                           NULL, NULL);
+    uint8_t data[14];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_16(data + 1, (uint16_t)orientation_decimation);
+    mip_put_16(data + 3, (uint16_t)data_conditioning_flags);
+    mip_put_8(data + 5, (uint8_t)inertial_filter_width);
+    mip_put_8(data + 6, (uint8_t)mag_filter_width);
+    mip_put_16(data + 7, (uint16_t)up_compensation);
+    mip_put_16(data + 9, (uint16_t)north_compensation);
+    mip_put_8(data + 11, (uint8_t)mag_bandwidth);
+    mip_put_16(data + 12, (uint16_t)0);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 14, NULL, NULL);
 }
 
 /** IMU signal conditioning: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_signal_conditioning_read(
     struct mip_device *device, struct mip_3dm_imu_signal_conditioning_response *response) {
-    struct mip_3dm_imu_signal_conditioning command;
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
-                           mip_3dm_imu_signal_conditioning_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1,
                            &mip_3dm_imu_signal_conditioning_response_codec, response);
 }
 
@@ -2120,25 +2307,25 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_read(
  */
 static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_save(struct mip_device *device) {
-    struct mip_3dm_imu_signal_conditioning command;
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
-                           mip_3dm_imu_signal_conditioning_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
 }
 
 /** IMU signal conditioning: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_load(struct mip_device *device) {
-    struct mip_3dm_imu_signal_conditioning command;
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
-                           mip_3dm_imu_signal_conditioning_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
 }
 
 /** IMU signal conditioning: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_imu_signal_conditioning_default(struct mip_device *device) {
-    struct mip_3dm_imu_signal_conditioning command;
-    return mip_device_call(device, &mip_3dm_imu_signal_conditioning_command,
-                           mip_3dm_imu_signal_conditioning_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_imu_signal_conditioning_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2154,6 +2341,8 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_imu_timestamp_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. IMU timestamp. If the
@@ -2177,9 +2366,11 @@ static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
  */
 static inline struct mip_result mip_call_3dm_imu_timestamp_write(
     struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
-    struct mip_3dm_imu_timestamp command;
-    return mip_device_call(device, &mip_3dm_imu_timestamp_command,
-                           mip_3dm_imu_timestamp_write(&command, selector, time), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)selector);
+    mip_put_32(data + 2, (uint32_t)time);
+    return mip_device_send(device, &mip_3dm_imu_timestamp_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -2190,9 +2381,10 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_write(
 static inline struct mip_result mip_call_3dm_imu_timestamp_read(
     struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector,
     struct mip_3dm_imu_timestamp_response *response) {
-    struct mip_3dm_imu_timestamp command;
-    return mip_device_call(device, &mip_3dm_imu_timestamp_command,
-                           mip_3dm_imu_timestamp_read(&command, selector),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)selector);
+    return mip_device_send(device, &mip_3dm_imu_timestamp_exchange, data, 2,
                            &mip_3dm_imu_timestamp_response_codec, response);
 }
 
@@ -2209,6 +2401,8 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_accel_bias_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer Bias
@@ -2233,9 +2427,12 @@ static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
  */
 static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device *device,
                                                               const float bias[3]) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command,
-                           mip_3dm_accel_bias_write(&command, bias), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &bias[i]);
+    }
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2244,8 +2441,9 @@ static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device 
  */
 static inline struct mip_result mip_call_3dm_accel_bias_read(
     struct mip_device *device, struct mip_3dm_accel_bias_response *response) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1,
                            &mip_3dm_accel_bias_response_codec, response);
 }
 
@@ -2254,25 +2452,25 @@ static inline struct mip_result mip_call_3dm_accel_bias_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_save(struct mip_device *device) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_save(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
 }
 
 /** Accelerometer Bias Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_accel_bias_load(struct mip_device *device) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_load(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
 }
 
 /**
  * Accelerometer Bias Configuration: default. Load the factory default setting. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_device *device) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command,
-                           mip_3dm_accel_bias_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2284,9 +2482,12 @@ static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_devic
  */
 static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device *device,
                                                               const float bias[3]) {
-    struct mip_3dm_accel_bias command;
-    return mip_device_call(device, &mip_3dm_accel_bias_command,
-                           mip_3dm_accel_bias_apply(&command, bias), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &bias[i]);
+    }
+    return mip_device_send(device, &mip_3dm_accel_bias_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2302,6 +2503,8 @@ mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_acc
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gyro_bias_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope Bias
@@ -2326,9 +2529,12 @@ static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *device,
                                                              const float bias[3]) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command,
-                           mip_3dm_gyro_bias_write(&command, bias), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &bias[i]);
+    }
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2337,8 +2543,9 @@ static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_read(
     struct mip_device *device, struct mip_3dm_gyro_bias_response *response) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1,
                            &mip_3dm_gyro_bias_response_codec, response);
 }
 
@@ -2347,23 +2554,23 @@ static inline struct mip_result mip_call_3dm_gyro_bias_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_save(struct mip_device *device) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_save(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope Bias Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gyro_bias_load(struct mip_device *device) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_load(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope Bias Configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device *device) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_default(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2375,9 +2582,12 @@ static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *device,
                                                              const float bias[3]) {
-    struct mip_3dm_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_gyro_bias_command,
-                           mip_3dm_gyro_bias_apply(&command, bias), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &bias[i]);
+    }
+    return mip_device_send(device, &mip_3dm_gyro_bias_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2393,6 +2603,8 @@ mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_capture_gyro_bias_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Capture Gyroscope
@@ -2414,9 +2626,9 @@ static inline mip_error mip_send_3dm_capture_gyro_bias(
 static inline struct mip_result
 mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_time_ms,
                                struct mip_3dm_gyro_bias_response *response) {
-    struct mip_3dm_capture_gyro_bias command;
-    return mip_device_call(device, &mip_3dm_capture_gyro_bias_command,
-                           mip_3dm_capture_gyro_bias_make(&command, averaging_time_ms),
+    uint8_t data[2];
+    mip_put_16(data, (uint16_t)averaging_time_ms);
+    return mip_device_send(device, &mip_3dm_capture_gyro_bias_exchange, data, 2,
                            &mip_3dm_gyro_bias_response_codec, response);
 }
 
@@ -2433,6 +2645,8 @@ static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Hard
@@ -2454,9 +2668,12 @@ static inline mip_error mip_send_3dm_mag_hard_iron_offset(
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct mip_device *device,
                                                                         const float offset[3]) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_write(&command, offset), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &offset[i]);
+    }
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2465,9 +2682,9 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct m
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
     struct mip_device *device, struct mip_3dm_mag_hard_iron_offset_response *response) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1,
                            &mip_3dm_mag_hard_iron_offset_response_codec, response);
 }
 
@@ -2476,16 +2693,16 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_save(struct mip_device *device) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
 }
 
 /** Magnetometer Hard Iron Offset: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_load(struct mip_device *device) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2493,9 +2710,9 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_load(struct mi
  */
 static inline struct mip_result
 mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2507,9 +2724,12 @@ mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct mip_device *device,
                                                                         const float offset[3]) {
-    struct mip_3dm_mag_hard_iron_offset command;
-    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
-                           mip_3dm_mag_hard_iron_offset_apply(&command, offset), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &offset[i]);
+    }
+    return mip_device_send(device, &mip_3dm_mag_hard_iron_offset_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -2525,6 +2745,8 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Soft
@@ -2546,9 +2768,12 @@ static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct mip_device *device,
                                                                         const float matrix[9]) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_write(&command, matrix), NULL, NULL);
+    uint8_t data[37];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 1 + 4 * i, &matrix[i]);
+    }
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 37, NULL, NULL);
 }
 
 /**
@@ -2557,9 +2782,9 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct m
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
     struct mip_device *device, struct mip_3dm_mag_soft_iron_matrix_response *response) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1,
                            &mip_3dm_mag_soft_iron_matrix_response_codec, response);
 }
 
@@ -2568,16 +2793,16 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_save(struct mip_device *device) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
 }
 
 /** Magnetometer Soft Iron Matrix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_load(struct mip_device *device) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2585,9 +2810,9 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_load(struct mi
  */
 static inline struct mip_result
 mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2599,9 +2824,12 @@ mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct mip_device *device,
                                                                         const float matrix[9]) {
-    struct mip_3dm_mag_soft_iron_matrix command;
-    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
-                           mip_3dm_mag_soft_iron_matrix_apply(&command, matrix), NULL, NULL);
+    uint8_t data[37];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 1 + 4 * i, &matrix[i]);
+    }
+    return mip_device_send(device, &mip_3dm_mag_soft_iron_matrix_exchange, data, 37, NULL, NULL);
 }
 
 /**
@@ -2617,6 +2845,8 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_coning_sculling_enable_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Coning and Sculling
@@ -2637,9 +2867,10 @@ static inline mip_error mip_send_3dm_coning_sculling_enable(
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct mip_device *device,
                                                                           mip_bool enable) {
-    struct mip_3dm_coning_sculling_enable command;
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
-                           mip_3dm_coning_sculling_enable_write(&command, enable), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -2647,9 +2878,9 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
     struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
-    struct mip_3dm_coning_sculling_enable command;
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
-                           mip_3dm_coning_sculling_enable_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1,
                            &mip_3dm_coning_sculling_enable_response_codec, response);
 }
 
@@ -2659,25 +2890,25 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
  */
 static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_save(struct mip_device *device) {
-    struct mip_3dm_coning_sculling_enable command;
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
-                           mip_3dm_coning_sculling_enable_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
 }
 
 /** Coning and Sculling Enable: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_load(struct mip_device *device) {
-    struct mip_3dm_coning_sculling_enable command;
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
-                           mip_3dm_coning_sculling_enable_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
 }
 
 /** Coning and Sculling Enable: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_coning_sculling_enable_default(struct mip_device *device) {
-    struct mip_3dm_coning_sculling_enable command;
-    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
-                           mip_3dm_coning_sculling_enable_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_coning_sculling_enable_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2693,6 +2924,8 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_uart_baud_rate_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. UART Baud Rate. If
@@ -2714,39 +2947,40 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
-    struct mip_3dm_uart_baud_rate command;
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
-                           mip_3dm_uart_baud_rate_write(&command, baud), NULL, NULL);
+    uint8_t data[5];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_32(data + 1, (uint32_t)baud);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 5, NULL, NULL);
 }
 
 /** UART Baud Rate: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
     struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
-    struct mip_3dm_uart_baud_rate command;
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
-                           mip_3dm_uart_baud_rate_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1,
                            &mip_3dm_uart_baud_rate_response_codec, response);
 }
 
 /** UART Baud Rate: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_save(struct mip_device *device) {
-    struct mip_3dm_uart_baud_rate command;
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
-                           mip_3dm_uart_baud_rate_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
 }
 
 /** UART Baud Rate: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_load(struct mip_device *device) {
-    struct mip_3dm_uart_baud_rate command;
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
-                           mip_3dm_uart_baud_rate_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
 }
 
 /** UART Baud Rate: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_default(struct mip_device *device) {
-    struct mip_3dm_uart_baud_rate command;
-    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
-                           mip_3dm_uart_baud_rate_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_uart_baud_rate_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2762,6 +2996,8 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gpio_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO Configuration.
@@ -2797,10 +3033,13 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
                                                                enum mip_gpio_feature feature,
                                                                uint8_t behavior,
                                                                mip_gpio_pin_mode pin_mode) {
-    struct mip_3dm_gpio_config command;
-    return mip_device_call(device, &mip_3dm_gpio_config_command,
-                           mip_3dm_gpio_config_write(&command, pin, feature, behavior, pin_mode),
-                           NULL, NULL);
+    uint8_t data[5];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)pin);
+    mip_put_8(data + 2, (uint8_t)feature);
+    mip_put_8(data + 3, (uint8_t)behavior);
+    mip_put_8(data + 4, (uint8_t)pin_mode);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 5, NULL, NULL);
 }
 
 /**
@@ -2810,9 +3049,10 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
  */
 static inline struct mip_result mip_call_3dm_gpio_config_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
-    struct mip_3dm_gpio_config command;
-    return mip_device_call(device, &mip_3dm_gpio_config_command,
-                           mip_3dm_gpio_config_read(&command, pin),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)pin);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2,
                            &mip_3dm_gpio_config_response_codec, response);
 }
 
@@ -2823,9 +3063,10 @@ static inline struct mip_result mip_call_3dm_gpio_config_read(
  */
 static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device *device,
                                                               uint8_t pin) {
-    struct mip_3dm_gpio_config command;
-    return mip_device_call(device, &mip_3dm_gpio_config_command,
-                           mip_3dm_gpio_config_save(&command, pin), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)pin);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -2835,9 +3076,10 @@ static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device 
  */
 static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device *device,
                                                               uint8_t pin) {
-    struct mip_3dm_gpio_config command;
-    return mip_device_call(device, &mip_3dm_gpio_config_command,
-                           mip_3dm_gpio_config_load(&command, pin), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)pin);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -2847,9 +3089,10 @@ static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device 
  */
 static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_device *device,
                                                                  uint8_t pin) {
-    struct mip_3dm_gpio_config command;
-    return mip_device_call(device, &mip_3dm_gpio_config_command,
-                           mip_3dm_gpio_config_default(&command, pin), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)pin);
+    return mip_device_send(device, &mip_3dm_gpio_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -2865,6 +3108,8 @@ mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gp
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gpio_state_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO State. If the
@@ -2888,9 +3133,11 @@ static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
  */
 static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device *device,
                                                               uint8_t pin, mip_bool state) {
-    struct mip_3dm_gpio_state command;
-    return mip_device_call(device, &mip_3dm_gpio_state_command,
-                           mip_3dm_gpio_state_write(&command, pin, state), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)pin);
+    mip_put_8(data + 2, (uint8_t)state);
+    return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -2900,9 +3147,10 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
  */
 static inline struct mip_result mip_call_3dm_gpio_state_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
-    struct mip_3dm_gpio_state command;
-    return mip_device_call(device, &mip_3dm_gpio_state_command,
-                           mip_3dm_gpio_state_read(&command, pin),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)pin);
+    return mip_device_send(device, &mip_3dm_gpio_state_exchange, data, 2,
                            &mip_3dm_gpio_state_response_codec, response);
 }
 
@@ -2919,6 +3167,8 @@ mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_odometer_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Odometer
@@ -2947,18 +3197,20 @@ static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_de
                                                                    enum mip_3dm_odometer_mode mode,
                                                                    float scaling,
                                                                    float uncertainty) {
-    struct mip_3dm_odometer_config command;
-    return mip_device_call(device, &mip_3dm_odometer_config_command,
-                           mip_3dm_odometer_config_write(&command, mode, scaling, uncertainty),
-                           NULL, NULL);
+    uint8_t data[10];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)mode);
+    mip_put_float(data + 2, &scaling);
+    mip_put_float(data + 6, &uncertainty);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 10, NULL, NULL);
 }
 
 /** Odometer Configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_read(
     struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
-    struct mip_3dm_odometer_config command;
-    return mip_device_call(device, &mip_3dm_odometer_config_command,
-                           mip_3dm_odometer_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1,
                            &mip_3dm_odometer_config_response_codec, response);
 }
 
@@ -2967,23 +3219,23 @@ static inline struct mip_result mip_call_3dm_odometer_config_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_odometer_config_save(struct mip_device *device) {
-    struct mip_3dm_odometer_config command;
-    return mip_device_call(device, &mip_3dm_odometer_config_command,
-                           mip_3dm_odometer_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
 }
 
 /** Odometer Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_load(struct mip_device *device) {
-    struct mip_3dm_odometer_config command;
-    return mip_device_call(device, &mip_3dm_odometer_config_command,
-                           mip_3dm_odometer_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
 }
 
 /** Odometer Configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_default(struct mip_device *device) {
-    struct mip_3dm_odometer_config command;
-    return mip_device_call(device, &mip_3dm_odometer_config_command,
-                           mip_3dm_odometer_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_odometer_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2999,6 +3251,8 @@ static inline struct mip_result mip_call_3dm_odometer_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Advanced Low-Pass
@@ -3031,11 +3285,14 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
                                                                        mip_bool enable,
                                                                        mip_bool manual,
                                                                        uint16_t frequency) {
-    struct mip_3dm_imu_low_pass_filter command;
-    return mip_device_call(
-        device, &mip_3dm_imu_low_pass_filter_command,
-        mip_3dm_imu_low_pass_filter_write(&command, target_descriptor, enable, manual, frequency),
-        NULL, NULL);
+    uint8_t data[7];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    mip_put_8(data + 2, (uint8_t)enable);
+    mip_put_8(data + 3, (uint8_t)manual);
+    mip_put_16(data + 4, (uint16_t)frequency);
+    mip_put_8(data + 6, (uint8_t)0);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 7, NULL, NULL);
 }
 
 /**
@@ -3050,9 +3307,10 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_descriptor,
                                       struct mip_3dm_imu_low_pass_filter_response *response) {
-    struct mip_3dm_imu_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
-                           mip_3dm_imu_low_pass_filter_read(&command, target_descriptor),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2,
                            &mip_3dm_imu_low_pass_filter_response_codec, response);
 }
 
@@ -3067,10 +3325,10 @@ mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
-                           mip_3dm_imu_low_pass_filter_save(&command, target_descriptor), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3083,10 +3341,10 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
-                           mip_3dm_imu_low_pass_filter_load(&command, target_descriptor), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3100,10 +3358,10 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip
  */
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
-                           mip_3dm_imu_low_pass_filter_default(&command, target_descriptor), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)target_descriptor);
+    return mip_device_send(device, &mip_3dm_imu_low_pass_filter_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3119,6 +3377,8 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_complementary_filter_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Complementary Filter
@@ -3149,12 +3409,13 @@ static inline mip_error mip_send_3dm_complementary_filter(
 static inline struct mip_result mip_call_3dm_complementary_filter_write(
     struct mip_device *device, mip_bool pitch_roll_enable, mip_bool heading_enable,
     float pitch_roll_time_constant, float heading_time_constant) {
-    struct mip_3dm_complementary_filter command;
-    return mip_device_call(
-        device, &mip_3dm_complementary_filter_command,
-        mip_3dm_complementary_filter_write(&command, pitch_roll_enable, heading_enable,
-                                           pitch_roll_time_constant, heading_time_constant),
-        NULL, NULL);
+    uint8_t data[11];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)pitch_roll_enable);
+    mip_put_8(data + 2, (uint8_t)heading_enable);
+    mip_put_float(data + 3, &pitch_roll_time_constant);
+    mip_put_float(data + 7, &heading_time_constant);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 11, NULL, NULL);
 }
 
 /**
@@ -3163,9 +3424,9 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_read(
     struct mip_device *device, struct mip_3dm_complementary_filter_response *response) {
-    struct mip_3dm_complementary_filter command;
-    return mip_device_call(device, &mip_3dm_complementary_filter_command,
-                           mip_3dm_complementary_filter_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1,
                            &mip_3dm_complementary_filter_response_codec, response);
 }
 
@@ -3174,16 +3435,16 @@ static inline struct mip_result mip_call_3dm_complementary_filter_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_save(struct mip_device *device) {
-    struct mip_3dm_complementary_filter command;
-    return mip_device_call(device, &mip_3dm_complementary_filter_command,
-                           mip_3dm_complementary_filter_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
 }
 
 /** Complementary Filter Configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_complementary_filter_load(struct mip_device *device) {
-    struct mip_3dm_complementary_filter command;
-    return mip_device_call(device, &mip_3dm_complementary_filter_command,
-                           mip_3dm_complementary_filter_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3192,9 +3453,9 @@ static inline struct mip_result mip_call_3dm_complementary_filter_load(struct mi
  */
 static inline struct mip_result
 mip_call_3dm_complementary_filter_default(struct mip_device *device) {
-    struct mip_3dm_complementary_filter command;
-    return mip_device_call(device, &mip_3dm_complementary_filter_command,
-                           mip_3dm_complementary_filter_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_complementary_filter_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3210,6 +3471,8 @@ static inline struct mip_result mip_call_3dm_complementary_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_sensor_range_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor Range. If the
@@ -3233,9 +3496,11 @@ static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
  */
 static inline struct mip_result mip_call_3dm_sensor_range_write(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
-    struct mip_3dm_sensor_range command;
-    return mip_device_call(device, &mip_3dm_sensor_range_command,
-                           mip_3dm_sensor_range_write(&command, sensor, setting), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)sensor);
+    mip_put_8(data + 2, (uint8_t)setting);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3246,9 +3511,10 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
                                struct mip_3dm_sensor_range_response *response) {
-    struct mip_3dm_sensor_range command;
-    return mip_device_call(device, &mip_3dm_sensor_range_command,
-                           mip_3dm_sensor_range_read(&command, sensor),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)sensor);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2,
                            &mip_3dm_sensor_range_response_codec, response);
 }
 
@@ -3259,9 +3525,10 @@ mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_ra
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range command;
-    return mip_device_call(device, &mip_3dm_sensor_range_command,
-                           mip_3dm_sensor_range_save(&command, sensor), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)sensor);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3271,9 +3538,10 @@ mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_ra
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range command;
-    return mip_device_call(device, &mip_3dm_sensor_range_command,
-                           mip_3dm_sensor_range_load(&command, sensor), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)sensor);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3283,9 +3551,10 @@ mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_ra
  */
 static inline struct mip_result mip_call_3dm_sensor_range_default(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range command;
-    return mip_device_call(device, &mip_3dm_sensor_range_command,
-                           mip_3dm_sensor_range_default(&command, sensor), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)sensor);
+    return mip_device_send(device, &mip_3dm_sensor_range_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3301,6 +3570,8 @@ static inline struct mip_result mip_call_3dm_sensor_range_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Calibrated Sensor
@@ -3323,9 +3594,9 @@ static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
 static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
     struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
-    struct mip_3dm_get_calibrated_sensor_ranges command;
-    return mip_device_call(device, &mip_3dm_get_calibrated_sensor_ranges_command,
-                           mip_3dm_get_calibrated_sensor_ranges_make(&command, sensor),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)sensor);
+    return mip_device_send(device, &mip_3dm_get_calibrated_sensor_ranges_exchange, data, 1,
                            &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
 }
 
@@ -3342,6 +3613,8 @@ static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_low_pass_filter_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Low-Pass
@@ -3372,11 +3645,14 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
                                                                    uint8_t field_descriptor,
                                                                    mip_bool enable, mip_bool manual,
                                                                    float frequency) {
-    struct mip_3dm_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
-                           mip_3dm_low_pass_filter_write(&command, descriptor_set, field_descriptor,
-                                                         enable, manual, frequency),
-                           NULL, NULL);
+    uint8_t data[9];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    mip_put_8(data + 3, (uint8_t)enable);
+    mip_put_8(data + 4, (uint8_t)manual);
+    mip_put_float(data + 5, &frequency);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 9, NULL, NULL);
 }
 
 /**
@@ -3389,9 +3665,11 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 static inline struct mip_result mip_call_3dm_low_pass_filter_read(
     struct mip_device *device, uint8_t descriptor_set, uint8_t field_descriptor,
     struct mip_3dm_low_pass_filter_response *response) {
-    struct mip_3dm_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
-                           mip_3dm_low_pass_filter_read(&command, descriptor_set, field_descriptor),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3,
                            &mip_3dm_low_pass_filter_response_codec, response);
 }
 
@@ -3405,10 +3683,11 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_read(
 static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_device *device,
                                                                   uint8_t descriptor_set,
                                                                   uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
-                           mip_3dm_low_pass_filter_save(&command, descriptor_set, field_descriptor),
-                           NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3420,10 +3699,11 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_dev
 static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_device *device,
                                                                   uint8_t descriptor_set,
                                                                   uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter command;
-    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
-                           mip_3dm_low_pass_filter_load(&command, descriptor_set, field_descriptor),
-                           NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3435,10 +3715,11 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_dev
 static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_device *device,
                                                                      uint8_t descriptor_set,
                                                                      uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter command;
-    return mip_device_call(
-        device, &mip_3dm_low_pass_filter_command,
-        mip_3dm_low_pass_filter_default(&command, descriptor_set, field_descriptor), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)descriptor_set);
+    mip_put_8(data + 2, (uint8_t)field_descriptor);
+    return mip_device_send(device, &mip_3dm_low_pass_filter_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3454,6 +3735,8 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_data_stream_format_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Data stream format.
@@ -3476,9 +3759,11 @@ static inline mip_error mip_send_3dm_data_stream_format(
 static inline struct mip_result mip_call_3dm_data_stream_format_write(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
-    struct mip_3dm_data_stream_format command;
-    return mip_device_call(device, &mip_3dm_data_stream_format_command,
-                           mip_3dm_data_stream_format_write(&command, stream, format), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)stream);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3490,9 +3775,11 @@ static inline struct mip_result mip_call_3dm_data_stream_format_write(
 static inline struct mip_result mip_call_3dm_data_stream_format_read(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format, struct mip_3dm_data_stream_format_response *response) {
-    struct mip_3dm_data_stream_format command;
-    return mip_device_call(device, &mip_3dm_data_stream_format_command,
-                           mip_3dm_data_stream_format_read(&command, stream, format),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)stream);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3,
                            &mip_3dm_data_stream_format_response_codec, response);
 }
 
@@ -3505,9 +3792,11 @@ static inline struct mip_result mip_call_3dm_data_stream_format_read(
 static inline struct mip_result
 mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_internal_sensor stream,
                                      enum mip_3dm_stream_format format) {
-    struct mip_3dm_data_stream_format command;
-    return mip_device_call(device, &mip_3dm_data_stream_format_command,
-                           mip_3dm_data_stream_format_save(&command, stream, format), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)stream);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3519,9 +3808,11 @@ mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_int
 static inline struct mip_result
 mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_internal_sensor stream,
                                      enum mip_3dm_stream_format format) {
-    struct mip_3dm_data_stream_format command;
-    return mip_device_call(device, &mip_3dm_data_stream_format_command,
-                           mip_3dm_data_stream_format_load(&command, stream, format), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)stream);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3533,10 +3824,11 @@ mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_int
 static inline struct mip_result mip_call_3dm_data_stream_format_default(
     struct mip_device *device, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
-    struct mip_3dm_data_stream_format command;
-    return mip_device_call(device, &mip_3dm_data_stream_format_command,
-                           mip_3dm_data_stream_format_default(&command, stream, format), NULL,
-                           NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)stream);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_3dm_data_stream_format_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3552,6 +3844,8 @@ static inline struct mip_result mip_call_3dm_data_stream_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_device_power_state_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device power state.
@@ -3574,9 +3868,11 @@ static inline mip_error mip_send_3dm_device_power_state(
 static inline struct mip_result mip_call_3dm_device_power_state_write(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
     enum mip_3dm_sensor_power_state state) {
-    struct mip_3dm_device_power_state command;
-    return mip_device_call(device, &mip_3dm_device_power_state_command,
-                           mip_3dm_device_power_state_write(&command, device_, state), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)device_);
+    mip_put_8(data + 2, (uint8_t)state);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3587,9 +3883,10 @@ static inline struct mip_result mip_call_3dm_device_power_state_write(
 static inline struct mip_result mip_call_3dm_device_power_state_read(
     struct mip_device *device, enum mip_3dm_internal_sensor device_,
     struct mip_3dm_device_power_state_response *response) {
-    struct mip_3dm_device_power_state command;
-    return mip_device_call(device, &mip_3dm_device_power_state_command,
-                           mip_3dm_device_power_state_read(&command, device_),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)device_);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2,
                            &mip_3dm_device_power_state_response_codec, response);
 }
 
@@ -3600,9 +3897,10 @@ static inline struct mip_result mip_call_3dm_device_power_state_read(
  */
 static inline struct mip_result mip_call_3dm_device_power_state_save(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    struct mip_3dm_device_power_state command;
-    return mip_device_call(device, &mip_3dm_device_power_state_command,
-                           mip_3dm_device_power_state_save(&command, device_), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)device_);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3612,9 +3910,10 @@ static inline struct mip_result mip_call_3dm_device_power_state_save(
  */
 static inline struct mip_result mip_call_3dm_device_power_state_load(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    struct mip_3dm_device_power_state command;
-    return mip_device_call(device, &mip_3dm_device_power_state_command,
-                           mip_3dm_device_power_state_load(&command, device_), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)device_);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3624,9 +3923,10 @@ static inline struct mip_result mip_call_3dm_device_power_state_load(
  */
 static inline struct mip_result mip_call_3dm_device_power_state_default(
     struct mip_device *device, enum mip_3dm_internal_sensor device_) {
-    struct mip_3dm_device_power_state command;
-    return mip_device_call(device, &mip_3dm_device_power_state_command,
-                           mip_3dm_device_power_state_default(&command, device_), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)device_);
+    return mip_device_send(device, &mip_3dm_device_power_state_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3642,6 +3942,8 @@ static inline struct mip_result mip_call_3dm_device_power_state_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_gps_advanced_settings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPS advanced
@@ -3659,24 +3961,24 @@ static inline mip_error mip_send_3dm_gps_advanced_settings(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gps_advanced_settings_save(struct mip_device *device) {
-    struct mip_3dm_gps_advanced_settings command;
-    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
-                           mip_3dm_gps_advanced_settings_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** GPS advanced settings: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gps_advanced_settings_load(struct mip_device *device) {
-    struct mip_3dm_gps_advanced_settings command;
-    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
-                           mip_3dm_gps_advanced_settings_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
 }
 
 /** GPS advanced settings: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_gps_advanced_settings_default(struct mip_device *device) {
-    struct mip_3dm_gps_advanced_settings command;
-    return mip_device_call(device, &mip_3dm_gps_advanced_settings_command,
-                           mip_3dm_gps_advanced_settings_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_3dm_gps_advanced_settings_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3690,6 +3992,8 @@ static inline struct mip_result mip_call_3dm_gps_advanced_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_status_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3dm_device_status_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. */
 static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
@@ -3831,10 +4135,10 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
 static inline struct mip_result
 mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number, status_selector),
-                           NULL, NULL);
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)status_selector);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -3846,11 +4150,11 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
 static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(
-        device, &mip_3dm_device_status_command,
-        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
-        &mip_3dm_device_status_basic_response_codec, response);
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_basic_response_codec, response);
 }
 
 /**
@@ -3862,11 +4166,11 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
 static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_stateless_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(
-        device, &mip_3dm_device_status_command,
-        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
-        &mip_3dm_device_status_basic_stateless_response_codec, response);
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_basic_stateless_response_codec, response);
 }
 
 /**
@@ -3878,11 +4182,11 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_r
 static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_gx3_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(
-        device, &mip_3dm_device_status_command,
-        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
-        &mip_3dm_device_status_basic_gx3_response_codec, response);
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
+                           &mip_3dm_device_status_basic_gx3_response_codec, response);
 }
 
 /**
@@ -3894,10 +4198,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_respons
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_response_codec, response);
 }
 
@@ -3910,10 +4214,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gnss_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_gnss_response_codec, response);
 }
 
@@ -3926,10 +4230,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gq4_45_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response);
 }
 
@@ -3942,10 +4246,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_rq1_45_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response);
 }
 
@@ -3958,10 +4262,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx4_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_gx4_response_codec, response);
 }
 
@@ -3974,10 +4278,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_imu_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response);
 }
 
@@ -3990,10 +4294,10 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx3_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx3_response *response) {
-    struct mip_3dm_device_status command;
-    return mip_device_call(device, &mip_3dm_device_status_command,
-                           mip_3dm_device_status_make(&command, model_number,
-                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+    uint8_t data[3];
+    mip_put_16(data, (uint16_t)model_number);
+    mip_put_8(data + 2, (uint8_t)MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    return mip_device_send(device, &mip_3dm_device_status_exchange, data, 3,
                            &mip_3dm_device_status_diagnostic_gx3_response_codec, response);
 }
 

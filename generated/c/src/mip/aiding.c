@@ -25,20 +25,21 @@ static const uint8_t program_frame_config[] = {
 };
 
 const struct mip_codec mip_aiding_frame_config_codec = {
-    0x13, 0x01, MIP_COMMAND, 0, sizeof(struct mip_aiding_frame_config), 0, program_frame_config};
+    0x13, 0x01,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_frame_config),
+    0,    false, program_frame_config, &mip_program};
 
-static bool asked_frame_config_1(const void *value) {
-    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_frame_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                               MIP_WHEN_END};
 static const struct mip_response responses_frame_config[] = {
-    {&mip_aiding_frame_config_response_codec, asked_frame_config_1},
-    {NULL, NULL},
+    {asked_frame_config_1, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec, NULL,
-                                                            responses_frame_config, 0};
+const struct mip_exchange mip_aiding_frame_config_exchange = {0x13, 0x01, 0,
+                                                              true, NULL, responses_frame_config};
+
+const struct mip_command mip_aiding_frame_config_command = {&mip_aiding_frame_config_codec,
+                                                            &mip_aiding_frame_config_exchange};
 
 static const uint8_t program_frame_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_aiding_frame_config_response, frame_id)),
@@ -60,7 +61,9 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     0,
     sizeof(struct mip_aiding_frame_config_response),
     0,
-    program_frame_config_response};
+    false,
+    program_frame_config_response,
+    &mip_program};
 
 static const uint8_t program_echo_control[] = {
     MIP_REQUIRED(1, 1),
@@ -70,20 +73,21 @@ static const uint8_t program_echo_control[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13, 0x1F, MIP_COMMAND, 0, sizeof(struct mip_aiding_echo_control), 0, program_echo_control};
+    0x13, 0x1F,  MIP_COMMAND,          0,           sizeof(struct mip_aiding_echo_control),
+    0,    false, program_echo_control, &mip_program};
 
-static bool asked_echo_control_1(const void *value) {
-    const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_echo_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                               MIP_WHEN_END};
 static const struct mip_response responses_echo_control[] = {
-    {&mip_aiding_echo_control_response_codec, asked_echo_control_1},
-    {NULL, NULL},
+    {asked_echo_control_1, NULL, 0x9F},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec, NULL,
-                                                            responses_echo_control, 0};
+const struct mip_exchange mip_aiding_echo_control_exchange = {0x13, 0x1F, 0,
+                                                              true, NULL, responses_echo_control};
+
+const struct mip_command mip_aiding_echo_control_command = {&mip_aiding_echo_control_codec,
+                                                            &mip_aiding_echo_control_exchange};
 
 static const uint8_t program_echo_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_echo_control_response, mode)),
@@ -97,7 +101,9 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     1,
     sizeof(struct mip_aiding_echo_control_response),
     0,
-    program_echo_control_response};
+    sizeof(struct mip_aiding_echo_control_response) >= 8,
+    program_echo_control_response,
+    NULL};
 
 static const uint8_t program_ecef_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_position, time.timebase)),
@@ -110,10 +116,13 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13, 0x21, MIP_COMMAND, 49, sizeof(struct mip_aiding_ecef_position), 0, program_ecef_position};
+    0x13, 0x21,  MIP_COMMAND,           49,  sizeof(struct mip_aiding_ecef_position),
+    0,    false, program_ecef_position, NULL};
 
-const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_aiding_ecef_position_exchange = {0x13, 0x21, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec,
+                                                             &mip_aiding_ecef_position_exchange};
 
 static const uint8_t program_llh_position[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_llh_position, time.timebase)),
@@ -126,10 +135,13 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13, 0x22, MIP_COMMAND, 49, sizeof(struct mip_aiding_llh_position), 0, program_llh_position};
+    0x13, 0x22,  MIP_COMMAND,          49,  sizeof(struct mip_aiding_llh_position),
+    0,    false, program_llh_position, NULL};
 
-const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_llh_position_exchange = {0x13, 0x22, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec,
+                                                            &mip_aiding_llh_position_exchange};
 
 static const uint8_t program_height_above_ellipsoid[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_height_above_ellipsoid, time.timebase)),
@@ -147,10 +159,15 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     21,
     sizeof(struct mip_aiding_height_above_ellipsoid),
     0,
-    program_height_above_ellipsoid};
+    false,
+    program_height_above_ellipsoid,
+    NULL};
+
+const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange = {0x13,  0x23, 0,
+                                                                        false, NULL, NULL};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
-    &mip_aiding_height_above_ellipsoid_codec, NULL, NULL, 0};
+    &mip_aiding_height_above_ellipsoid_codec, &mip_aiding_height_above_ellipsoid_exchange};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ecef_velocity, time.timebase)),
@@ -162,10 +179,13 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13, 0x28, MIP_COMMAND, 37, sizeof(struct mip_aiding_ecef_velocity), 0, program_ecef_velocity};
+    0x13, 0x28,  MIP_COMMAND,           37,  sizeof(struct mip_aiding_ecef_velocity),
+    0,    false, program_ecef_velocity, NULL};
 
-const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_aiding_ecef_velocity_exchange = {0x13, 0x28, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec,
+                                                             &mip_aiding_ecef_velocity_exchange};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_ned_velocity, time.timebase)),
@@ -177,10 +197,13 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13, 0x29, MIP_COMMAND, 37, sizeof(struct mip_aiding_ned_velocity), 0, program_ned_velocity};
+    0x13, 0x29,  MIP_COMMAND,          37,  sizeof(struct mip_aiding_ned_velocity),
+    0,    false, program_ned_velocity, NULL};
 
-const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_ned_velocity_exchange = {0x13, 0x29, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec,
+                                                            &mip_aiding_ned_velocity_exchange};
 
 static const uint8_t program_body_frame_velocity[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_body_frame_velocity, time.timebase)),
@@ -198,10 +221,15 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     37,
     sizeof(struct mip_aiding_body_frame_velocity),
     0,
-    program_body_frame_velocity};
+    false,
+    program_body_frame_velocity,
+    NULL};
+
+const struct mip_exchange mip_aiding_body_frame_velocity_exchange = {0x13,  0x2A, 0,
+                                                                     false, NULL, NULL};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
-    &mip_aiding_body_frame_velocity_codec, NULL, NULL, 0};
+    &mip_aiding_body_frame_velocity_codec, &mip_aiding_body_frame_velocity_exchange};
 
 static const uint8_t program_true_heading[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_true_heading, time.timebase)),
@@ -213,10 +241,13 @@ static const uint8_t program_true_heading[] = {
 };
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13, 0x31, MIP_COMMAND, 21, sizeof(struct mip_aiding_true_heading), 0, program_true_heading};
+    0x13, 0x31,  MIP_COMMAND,          21,  sizeof(struct mip_aiding_true_heading),
+    0,    false, program_true_heading, NULL};
 
-const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_aiding_true_heading_exchange = {0x13, 0x31, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec,
+                                                            &mip_aiding_true_heading_exchange};
 
 static const uint8_t program_magnetic_field[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_magnetic_field, time.timebase)),
@@ -233,10 +264,14 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
                                                           37,
                                                           sizeof(struct mip_aiding_magnetic_field),
                                                           0,
-                                                          program_magnetic_field};
+                                                          false,
+                                                          program_magnetic_field,
+                                                          NULL};
+
+const struct mip_exchange mip_aiding_magnetic_field_exchange = {0x13, 0x32, 0, false, NULL, NULL};
 
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
-                                                              NULL, NULL, 0};
+                                                              &mip_aiding_magnetic_field_exchange};
 
 static const uint8_t program_pressure[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_aiding_pressure, time.timebase)),
@@ -248,6 +283,10 @@ static const uint8_t program_pressure[] = {
 };
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), 0, program_pressure};
+    0x13, 0x33,  MIP_COMMAND,      21,  sizeof(struct mip_aiding_pressure),
+    0,    false, program_pressure, NULL};
 
-const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec, NULL, NULL, 0};
+const struct mip_exchange mip_aiding_pressure_exchange = {0x13, 0x33, 0, false, NULL, NULL};
+
+const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec,
+                                                        &mip_aiding_pressure_exchange};

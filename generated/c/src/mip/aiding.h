@@ -166,12 +166,12 @@ extern MIP_API const struct mip_codec mip_aiding_frame_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_frame_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_frame_config_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
+    const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
 }
 /**
@@ -302,11 +302,12 @@ extern MIP_API const struct mip_codec mip_aiding_frame_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_response_decode(
     struct mip_aiding_frame_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_frame_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_frame_config_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_frame_config_response_encode(
+MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
 }
@@ -351,12 +352,12 @@ extern MIP_API const struct mip_codec mip_aiding_echo_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_echo_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_echo_control_codec, 0x1F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_echo_control *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
+    const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
 }
 /**
@@ -427,11 +428,12 @@ extern MIP_API const struct mip_codec mip_aiding_echo_control_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_response_decode(
     struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_echo_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_echo_control_response_codec, 0x9F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_echo_control_response_encode(
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
 }
@@ -451,7 +453,7 @@ static inline mip_error mip_aiding_echo_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_echo_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode_inline(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x9F, 1, &data);
@@ -512,11 +514,11 @@ extern MIP_API const struct mip_codec mip_aiding_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ecef_position_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
 }
@@ -546,7 +548,7 @@ static inline mip_error mip_aiding_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode_inline(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x21, 49, &data);
@@ -655,12 +657,12 @@ extern MIP_API const struct mip_codec mip_aiding_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_llh_position_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
+    const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_llh_position_codec, value, builder);
 }
 
@@ -689,7 +691,7 @@ static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode_inline(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x22, 49, &data);
@@ -780,11 +782,12 @@ extern MIP_API const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_height_above_ellipsoid_decode(
     struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_height_above_ellipsoid_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_height_above_ellipsoid_codec, 0x23, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_height_above_ellipsoid_encode(
+MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
 }
@@ -810,7 +813,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x23, 21, &data);
@@ -901,11 +904,11 @@ extern MIP_API const struct mip_codec mip_aiding_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ecef_velocity_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
 }
@@ -935,7 +938,7 @@ static inline mip_error mip_aiding_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x28, 37, &data);
@@ -1035,12 +1038,12 @@ extern MIP_API const struct mip_codec mip_aiding_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_ned_velocity_codec, 0x29, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_ned_velocity *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
+    const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
 }
 
@@ -1069,7 +1072,7 @@ static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode_inline(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x29, 37, &data);
@@ -1175,11 +1178,12 @@ extern MIP_API const struct mip_codec mip_aiding_body_frame_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_body_frame_velocity_decode(
     struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_aiding_body_frame_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_body_frame_velocity_codec, 0x2A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_body_frame_velocity_encode(
+MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
 }
@@ -1209,7 +1213,7 @@ static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x2A, 37, &data);
@@ -1299,12 +1303,12 @@ extern MIP_API const struct mip_codec mip_aiding_true_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_aiding_true_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_true_heading_codec, 0x31, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
+    const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_true_heading_codec, value, builder);
 }
 
@@ -1329,7 +1333,7 @@ static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_true_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode_inline(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x31, 21, &data);
@@ -1418,11 +1422,11 @@ extern MIP_API const struct mip_codec mip_aiding_magnetic_field_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_aiding_magnetic_field_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_magnetic_field_codec, 0x32, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_magnetic_field_encode(
+MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
 }
@@ -1452,7 +1456,7 @@ static inline mip_error mip_aiding_magnetic_field_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_magnetic_field_encode_inline(
+MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode_inline(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x32, 37, &data);
@@ -1539,12 +1543,12 @@ extern MIP_API const struct mip_codec mip_aiding_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_aiding_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_aiding_pressure_codec, 0x33, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_aiding_pressure_encode(const struct mip_aiding_pressure *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_pressure_codec, value, builder);
 }
 
@@ -1569,8 +1573,8 @@ static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pres
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aiding_pressure *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_aiding_pressure_encode_inline(
+    const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x13, 0x33, 21, &data);
     if (error != MIP_OK) {

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_frame_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_frame_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Frame configuration.
@@ -63,9 +65,11 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     struct mip_aiding_frame_config_response *response) {
-    struct mip_aiding_frame_config command;
-    return mip_device_call(device, &mip_aiding_frame_config_command,
-                           mip_aiding_frame_config_read(&command, frame_id, format),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)frame_id);
+    mip_put_8(data + 2, (uint8_t)format);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 3,
                            &mip_aiding_frame_config_response_codec, response);
 }
 
@@ -76,9 +80,10 @@ static inline struct mip_result mip_call_aiding_frame_config_read(
  */
 static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_device *device,
                                                                   uint8_t frame_id) {
-    struct mip_aiding_frame_config command;
-    return mip_device_call(device, &mip_aiding_frame_config_command,
-                           mip_aiding_frame_config_save(&command, frame_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)frame_id);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -88,9 +93,10 @@ static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_dev
  */
 static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_device *device,
                                                                   uint8_t frame_id) {
-    struct mip_aiding_frame_config command;
-    return mip_device_call(device, &mip_aiding_frame_config_command,
-                           mip_aiding_frame_config_load(&command, frame_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)frame_id);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -100,9 +106,10 @@ static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_dev
  */
 static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_device *device,
                                                                      uint8_t frame_id) {
-    struct mip_aiding_frame_config command;
-    return mip_device_call(device, &mip_aiding_frame_config_command,
-                           mip_aiding_frame_config_default(&command, frame_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)frame_id);
+    return mip_device_send(device, &mip_aiding_frame_config_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -118,6 +125,8 @@ static inline struct mip_result mip_call_aiding_frame_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_echo_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_echo_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Echo control. If the
@@ -139,39 +148,40 @@ static inline mip_error mip_send_aiding_echo_control(
  */
 static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
                                                                    enum mip_aiding_echo_mode mode) {
-    struct mip_aiding_echo_control command;
-    return mip_device_call(device, &mip_aiding_echo_control_command,
-                           mip_aiding_echo_control_write(&command, mode), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)mode);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 2, NULL, NULL);
 }
 
 /** Echo control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_read(
     struct mip_device *device, struct mip_aiding_echo_control_response *response) {
-    struct mip_aiding_echo_control command;
-    return mip_device_call(device, &mip_aiding_echo_control_command,
-                           mip_aiding_echo_control_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1,
                            &mip_aiding_echo_control_response_codec, response);
 }
 
 /** Echo control: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_save(struct mip_device *device) {
-    struct mip_aiding_echo_control command;
-    return mip_device_call(device, &mip_aiding_echo_control_command,
-                           mip_aiding_echo_control_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
 }
 
 /** Echo control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_load(struct mip_device *device) {
-    struct mip_aiding_echo_control command;
-    return mip_device_call(device, &mip_aiding_echo_control_command,
-                           mip_aiding_echo_control_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
 }
 
 /** Echo control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_default(struct mip_device *device) {
-    struct mip_aiding_echo_control command;
-    return mip_device_call(device, &mip_aiding_echo_control_command,
-                           mip_aiding_echo_control_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_aiding_echo_control_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -187,6 +197,8 @@ static inline struct mip_result mip_call_aiding_echo_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_ecef_position_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF position. */
 static inline mip_error mip_send_aiding_ecef_position(
@@ -230,6 +242,8 @@ static inline struct mip_result mip_call_aiding_ecef_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_llh_position_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_llh_position_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. LLH position. */
 static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
@@ -281,6 +295,8 @@ static inline struct mip_result mip_call_aiding_llh_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Height above
@@ -323,6 +339,8 @@ static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_ecef_velocity_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF velocity. */
 static inline mip_error mip_send_aiding_ecef_velocity(
@@ -366,6 +384,8 @@ static inline struct mip_result mip_call_aiding_ecef_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_ned_velocity_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. NED velocity. */
 static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
@@ -412,6 +432,8 @@ static inline struct mip_result mip_call_aiding_ned_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_body_frame_velocity_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Body frame velocity.
@@ -458,6 +480,8 @@ static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_true_heading_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_true_heading_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. True heading. */
 static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
@@ -500,6 +524,8 @@ static inline struct mip_result mip_call_aiding_true_heading_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_magnetic_field_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field. */
 static inline mip_error mip_send_aiding_magnetic_field(
@@ -544,6 +570,8 @@ static inline struct mip_result mip_call_aiding_magnetic_field_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_pressure_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_aiding_pressure_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Pressure. */
 static inline mip_error mip_send_aiding_pressure(struct mip_client *client,

@@ -8,18 +8,23 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, false, program_ping, NULL};
 
-const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, NULL, NULL, 0};
+const struct mip_exchange mip_base_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
+
+const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, &mip_base_ping_exchange};
 
 static const uint8_t program_set_idle[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, program_set_idle};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, false, program_set_idle, NULL};
 
-const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec, NULL, NULL, 0};
+const struct mip_exchange mip_base_set_idle_exchange = {0x01, 0x02, 0, false, NULL, NULL};
+
+const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec,
+                                                      &mip_base_set_idle_exchange};
 
 static const uint8_t program_get_device_info[] = {
     MIP_END,
@@ -31,15 +36,20 @@ const struct mip_codec mip_base_get_device_info_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_get_device_info),
                                                          0,
-                                                         program_get_device_info};
+                                                         false,
+                                                         program_get_device_info,
+                                                         NULL};
 
 static const struct mip_response responses_get_device_info[] = {
-    {&mip_base_get_device_info_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_base_get_device_info_command = {&mip_base_get_device_info_codec, NULL,
-                                                             responses_get_device_info, 0};
+const struct mip_exchange mip_base_get_device_info_exchange = {
+    0x01, 0x03, 0, false, NULL, responses_get_device_info};
+
+const struct mip_command mip_base_get_device_info_command = {&mip_base_get_device_info_codec,
+                                                             &mip_base_get_device_info_exchange};
 
 static const uint8_t program_get_device_info_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_base_get_device_info_response, device_info.firmware_version)),
@@ -55,10 +65,12 @@ const struct mip_codec mip_base_get_device_info_response_codec = {
     0x01,
     0x81,
     MIP_RESPONSE,
-    0,
+    82,
     sizeof(struct mip_base_get_device_info_response),
     0,
-    program_get_device_info_response};
+    false,
+    program_get_device_info_response,
+    NULL};
 
 static const uint8_t program_get_device_descriptors[] = {
     MIP_END,
@@ -71,15 +83,20 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors),
     0,
-    program_get_device_descriptors};
+    false,
+    program_get_device_descriptors,
+    NULL};
 
 static const struct mip_response responses_get_device_descriptors[] = {
-    {&mip_base_get_device_descriptors_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_base_get_device_descriptors_exchange = {
+    0x01, 0x04, 0, false, NULL, responses_get_device_descriptors};
+
 const struct mip_command mip_base_get_device_descriptors_command = {
-    &mip_base_get_device_descriptors_codec, NULL, responses_get_device_descriptors, 0};
+    &mip_base_get_device_descriptors_codec, &mip_base_get_device_descriptors_exchange};
 
 static const uint8_t program_get_device_descriptors_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_base_get_device_descriptors_response, descriptors_count)),
@@ -94,22 +111,28 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_device_descriptors_response),
     0,
-    program_get_device_descriptors_response};
+    false,
+    program_get_device_descriptors_response,
+    &mip_program};
 
 static const uint8_t program_built_in_test[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_base_built_in_test), 0, program_built_in_test};
+    0x01, 0x05,  MIP_COMMAND,           0,   sizeof(struct mip_base_built_in_test),
+    0,    false, program_built_in_test, NULL};
 
 static const struct mip_response responses_built_in_test[] = {
-    {&mip_base_built_in_test_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x83},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_base_built_in_test_command = {&mip_base_built_in_test_codec, NULL,
-                                                           responses_built_in_test, 10000};
+const struct mip_exchange mip_base_built_in_test_exchange = {0x01,  0x05, 10000,
+                                                             false, NULL, responses_built_in_test};
+
+const struct mip_command mip_base_built_in_test_command = {&mip_base_built_in_test_codec,
+                                                           &mip_base_built_in_test_exchange};
 
 static const uint8_t program_built_in_test_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_built_in_test_response, result)),
@@ -123,16 +146,21 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     4,
     sizeof(struct mip_base_built_in_test_response),
     0,
-    program_built_in_test_response};
+    sizeof(struct mip_base_built_in_test_response) >= 8,
+    program_built_in_test_response,
+    NULL};
 
 static const uint8_t program_resume[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, program_resume};
+    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, false, program_resume, NULL};
 
-const struct mip_command mip_base_resume_command = {&mip_base_resume_codec, NULL, NULL, 0};
+const struct mip_exchange mip_base_resume_exchange = {0x01, 0x06, 0, false, NULL, NULL};
+
+const struct mip_command mip_base_resume_command = {&mip_base_resume_codec,
+                                                    &mip_base_resume_exchange};
 
 static const uint8_t program_get_extended_descriptors[] = {
     MIP_END,
@@ -145,15 +173,20 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors),
     0,
-    program_get_extended_descriptors};
+    false,
+    program_get_extended_descriptors,
+    NULL};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
-    {&mip_base_get_extended_descriptors_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x86},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_base_get_extended_descriptors_exchange = {
+    0x01, 0x07, 0, false, NULL, responses_get_extended_descriptors};
+
 const struct mip_command mip_base_get_extended_descriptors_command = {
-    &mip_base_get_extended_descriptors_codec, NULL, responses_get_extended_descriptors, 0};
+    &mip_base_get_extended_descriptors_codec, &mip_base_get_extended_descriptors_exchange};
 
 static const uint8_t program_get_extended_descriptors_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_base_get_extended_descriptors_response, descriptors_count)),
@@ -168,7 +201,9 @@ const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     0,
     sizeof(struct mip_base_get_extended_descriptors_response),
     0,
-    program_get_extended_descriptors_response};
+    false,
+    program_get_extended_descriptors_response,
+    &mip_program};
 
 static const uint8_t program_continuous_built_in_test[] = {
     MIP_END,
@@ -181,15 +216,20 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     0,
     sizeof(struct mip_base_continuous_built_in_test),
     0,
-    program_continuous_built_in_test};
+    false,
+    program_continuous_built_in_test,
+    NULL};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
-    {&mip_base_continuous_built_in_test_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_base_continuous_built_in_test_exchange = {
+    0x01, 0x08, 0, false, NULL, responses_continuous_built_in_test};
+
 const struct mip_command mip_base_continuous_built_in_test_command = {
-    &mip_base_continuous_built_in_test_codec, NULL, responses_continuous_built_in_test, 0};
+    &mip_base_continuous_built_in_test_codec, &mip_base_continuous_built_in_test_exchange};
 
 static const uint8_t program_continuous_built_in_test_response[] = {
     MIP_8_BITS(16, MIP_AT(struct mip_base_continuous_built_in_test_response, result)),
@@ -203,7 +243,9 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     16,
     sizeof(struct mip_base_continuous_built_in_test_response),
     0,
-    program_continuous_built_in_test_response};
+    sizeof(struct mip_base_continuous_built_in_test_response) >= 8,
+    program_continuous_built_in_test_response,
+    NULL};
 
 static const uint8_t program_comm_speed[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -215,20 +257,20 @@ static const uint8_t program_comm_speed[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_base_comm_speed), 0, program_comm_speed};
+    0x01, 0x09,  MIP_COMMAND,        0,           sizeof(struct mip_base_comm_speed),
+    0,    false, program_comm_speed, &mip_program};
 
-static bool asked_comm_speed_1(const void *value) {
-    const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_comm_speed_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_speed[] = {
-    {&mip_base_comm_speed_response_codec, asked_comm_speed_1},
-    {NULL, NULL},
+    {asked_comm_speed_1, NULL, 0x89},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_base_comm_speed_command = {&mip_base_comm_speed_codec, NULL,
-                                                        responses_comm_speed, 0};
+const struct mip_exchange mip_base_comm_speed_exchange = {0x01, 0x09, 0,
+                                                          true, NULL, responses_comm_speed};
+
+const struct mip_command mip_base_comm_speed_command = {&mip_base_comm_speed_codec,
+                                                        &mip_base_comm_speed_exchange};
 
 static const uint8_t program_comm_speed_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_base_comm_speed_response, port)),
@@ -243,7 +285,9 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     5,
     sizeof(struct mip_base_comm_speed_response),
     0,
-    program_comm_speed_response};
+    false,
+    program_comm_speed_response,
+    NULL};
 
 static const uint8_t program_gps_time_update[] = {
     MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
@@ -260,31 +304,27 @@ const struct mip_codec mip_base_gps_time_update_codec = {0x01,
                                                          0,
                                                          sizeof(struct mip_base_gps_time_update),
                                                          0,
-                                                         program_gps_time_update};
+                                                         false,
+                                                         program_gps_time_update,
+                                                         &mip_program};
 
-static bool silent_gps_time_update(const void *value) {
-    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_gps_time_update_1(const void *value) {
-    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 1;
-}
-
-static bool asked_gps_time_update_2(const void *value) {
-    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 2;
-}
-
+static const uint8_t silent_gps_time_update[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY),
+                                                 MIP_WHEN_END};
+static const uint8_t asked_gps_time_update_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN(1, 1), MIP_WHEN_END};
+static const uint8_t asked_gps_time_update_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN(1, 2), MIP_WHEN_END};
 static const struct mip_response responses_gps_time_update[] = {
-    {&mip_base_gps_time_update_week_number_response_codec, asked_gps_time_update_1},
-    {&mip_base_gps_time_update_tow_response_codec, asked_gps_time_update_2},
-    {NULL, NULL},
+    {asked_gps_time_update_1, NULL, 0x84},
+    {asked_gps_time_update_2, NULL, 0x85},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_base_gps_time_update_command = {
-    &mip_base_gps_time_update_codec, silent_gps_time_update, responses_gps_time_update, 0};
+const struct mip_exchange mip_base_gps_time_update_exchange = {
+    0x01, 0x72, 0, true, silent_gps_time_update, responses_gps_time_update};
+
+const struct mip_command mip_base_gps_time_update_command = {&mip_base_gps_time_update_codec,
+                                                             &mip_base_gps_time_update_exchange};
 
 static const uint8_t program_gps_time_update_week_number_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_gps_time_update_week_number_response, week_number)),
@@ -298,7 +338,9 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_week_number_response),
     0,
-    program_gps_time_update_week_number_response};
+    sizeof(struct mip_base_gps_time_update_week_number_response) >= 8,
+    program_gps_time_update_week_number_response,
+    NULL};
 
 static const uint8_t program_gps_time_update_tow_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_base_gps_time_update_tow_response, tow)),
@@ -312,13 +354,19 @@ const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     4,
     sizeof(struct mip_base_gps_time_update_tow_response),
     0,
-    program_gps_time_update_tow_response};
+    sizeof(struct mip_base_gps_time_update_tow_response) >= 8,
+    program_gps_time_update_tow_response,
+    NULL};
 
 static const uint8_t program_soft_reset[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), 0, program_soft_reset};
+    0x01, 0x7E,  MIP_COMMAND,        0,   sizeof(struct mip_base_soft_reset),
+    0,    false, program_soft_reset, NULL};
 
-const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec, NULL, NULL, 0};
+const struct mip_exchange mip_base_soft_reset_exchange = {0x01, 0x7E, 0, false, NULL, NULL};
+
+const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec,
+                                                        &mip_base_soft_reset_exchange};

@@ -85,12 +85,12 @@ extern MIP_API const struct mip_codec mip_base_ping_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
                                              const struct mip_field *field) {
-    return mip_decode(&mip_base_ping_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
-                                             struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
+                                                         struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
 }
 
@@ -127,12 +127,12 @@ extern MIP_API const struct mip_codec mip_base_set_idle_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_base_set_idle_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_set_idle_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
 }
 
@@ -166,11 +166,11 @@ extern MIP_API const struct mip_codec mip_base_get_device_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_info_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_info_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
 }
@@ -202,11 +202,12 @@ extern MIP_API const struct mip_codec mip_base_get_device_info_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_response_decode(
     struct mip_base_get_device_info_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_info_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_info_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_info_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
 }
@@ -236,7 +237,7 @@ static inline mip_error mip_base_get_device_info_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_get_device_info_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode_inline(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x81, 82, &data);
@@ -285,11 +286,12 @@ extern MIP_API const struct mip_codec mip_base_get_device_descriptors_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_decode(
     struct mip_base_get_device_descriptors *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_descriptors_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_descriptors_codec, 0x04, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_descriptors_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
 }
@@ -327,11 +329,12 @@ extern MIP_API const struct mip_codec mip_base_get_device_descriptors_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_response_decode(
     struct mip_base_get_device_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_device_descriptors_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_device_descriptors_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_device_descriptors_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_encode(
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
 }
@@ -374,12 +377,12 @@ extern MIP_API const struct mip_codec mip_base_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_base_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_built_in_test_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
+    const struct mip_base_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
 }
 
@@ -422,11 +425,12 @@ extern MIP_API const struct mip_codec mip_base_built_in_test_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_response_decode(
     struct mip_base_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_built_in_test_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_built_in_test_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_built_in_test_response_encode(
+MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
 }
@@ -446,7 +450,7 @@ static inline mip_error mip_base_built_in_test_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_built_in_test_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode_inline(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
@@ -488,12 +492,12 @@ extern MIP_API const struct mip_codec mip_base_resume_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_base_resume_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_resume_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
 }
 
@@ -529,11 +533,12 @@ extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_decode(
     struct mip_base_get_extended_descriptors *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_extended_descriptors_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_extended_descriptors_codec, 0x07, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_extended_descriptors_encode(
+MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
 }
@@ -570,11 +575,12 @@ extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_response_decode(
     struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_get_extended_descriptors_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_get_extended_descriptors_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_get_extended_descriptors_response_encode(
+MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_encode(
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
 }
@@ -614,11 +620,12 @@ extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_decode(
     struct mip_base_continuous_built_in_test *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_continuous_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_continuous_built_in_test_codec, 0x08, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_continuous_built_in_test_encode(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
 }
@@ -654,11 +661,12 @@ extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_response_decode(
     struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_continuous_built_in_test_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_continuous_built_in_test_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_continuous_built_in_test_response_encode(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
 }
@@ -678,7 +686,7 @@ static inline mip_error mip_base_continuous_built_in_test_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x88, 16, &data);
@@ -743,12 +751,12 @@ extern MIP_API const struct mip_codec mip_base_comm_speed_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_base_comm_speed_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_comm_speed_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
 }
 /**
@@ -898,11 +906,11 @@ extern MIP_API const struct mip_codec mip_base_comm_speed_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_response_decode(
     struct mip_base_comm_speed_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_comm_speed_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_comm_speed_response_codec, 0x89, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_comm_speed_response_encode(
+MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
 }
@@ -923,7 +931,7 @@ static inline mip_error mip_base_comm_speed_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_comm_speed_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode_inline(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x89, 5, &data);
@@ -995,11 +1003,11 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_codec, 0x72, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
 }
@@ -1082,11 +1090,12 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_week_number_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_week_number_response_decode(
     struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_week_number_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_week_number_response_codec, 0x84, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_week_number_response_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
@@ -1107,7 +1116,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -1149,11 +1158,12 @@ extern MIP_API const struct mip_codec mip_base_gps_time_update_tow_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_tow_response_decode(
     struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_base_gps_time_update_tow_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_gps_time_update_tow_response_codec, 0x85, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_gps_time_update_tow_response_encode(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
 }
@@ -1173,7 +1183,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x85, 4, &data);
@@ -1213,12 +1223,12 @@ extern MIP_API const struct mip_codec mip_base_soft_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_base_soft_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_base_soft_reset_codec, 0x7E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);
 }
 

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_ping_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_ping_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
 static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip_request *request,
@@ -27,11 +29,13 @@ static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip
 
 /** Ping. See mip_device_call. */
 static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
-    return mip_device_call(device, &mip_base_ping_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_base_ping_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_set_idle_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_set_idle_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Set to idle. */
 static inline mip_error mip_send_base_set_idle(struct mip_client *client,
@@ -43,11 +47,13 @@ static inline mip_error mip_send_base_set_idle(struct mip_client *client,
 
 /** Set to idle. See mip_device_call. */
 static inline struct mip_result mip_call_base_set_idle(struct mip_device *device) {
-    return mip_device_call(device, &mip_base_set_idle_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_base_set_idle_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_info_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_get_device_info_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
@@ -63,12 +69,14 @@ static inline mip_error mip_send_base_get_device_info(
 /** Get device information. See mip_device_call. */
 static inline struct mip_result mip_call_base_get_device_info(
     struct mip_device *device, struct mip_base_get_device_info_response *response) {
-    return mip_device_call(device, &mip_base_get_device_info_command, NULL,
+    return mip_device_send(device, &mip_base_get_device_info_exchange, NULL, 0,
                            &mip_base_get_device_info_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_get_device_descriptors_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
@@ -84,12 +92,14 @@ static inline mip_error mip_send_base_get_device_descriptors(
 /** Get device descriptors. See mip_device_call. */
 static inline struct mip_result mip_call_base_get_device_descriptors(
     struct mip_device *device, struct mip_base_get_device_descriptors_response *response) {
-    return mip_device_call(device, &mip_base_get_device_descriptors_command, NULL,
+    return mip_device_send(device, &mip_base_get_device_descriptors_exchange, NULL, 0,
                            &mip_base_get_device_descriptors_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_built_in_test_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_built_in_test_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Built-in test. If the
@@ -105,12 +115,14 @@ static inline mip_error mip_send_base_built_in_test(
 /** Built-in test. See mip_device_call. */
 static inline struct mip_result mip_call_base_built_in_test(
     struct mip_device *device, struct mip_base_built_in_test_response *response) {
-    return mip_device_call(device, &mip_base_built_in_test_command, NULL,
+    return mip_device_send(device, &mip_base_built_in_test_exchange, NULL, 0,
                            &mip_base_built_in_test_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_resume_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_resume_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Resume. */
 static inline mip_error mip_send_base_resume(struct mip_client *client, struct mip_request *request,
@@ -121,11 +133,13 @@ static inline mip_error mip_send_base_resume(struct mip_client *client, struct m
 
 /** Resume. See mip_device_call. */
 static inline struct mip_result mip_call_base_resume(struct mip_device *device) {
-    return mip_device_call(device, &mip_base_resume_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_base_resume_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_get_extended_descriptors_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
@@ -142,12 +156,14 @@ static inline mip_error mip_send_base_get_extended_descriptors(
 /** Get device descriptors (extended). See mip_device_call. */
 static inline struct mip_result mip_call_base_get_extended_descriptors(
     struct mip_device *device, struct mip_base_get_extended_descriptors_response *response) {
-    return mip_device_call(device, &mip_base_get_extended_descriptors_command, NULL,
+    return mip_device_send(device, &mip_base_get_extended_descriptors_exchange, NULL, 0,
                            &mip_base_get_extended_descriptors_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_continuous_built_in_test_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Continuous built-in
@@ -163,12 +179,14 @@ static inline mip_error mip_send_base_continuous_built_in_test(
 /** Continuous built-in test. See mip_device_call. */
 static inline struct mip_result mip_call_base_continuous_built_in_test(
     struct mip_device *device, struct mip_base_continuous_built_in_test_response *response) {
-    return mip_device_call(device, &mip_base_continuous_built_in_test_command, NULL,
+    return mip_device_send(device, &mip_base_continuous_built_in_test_exchange, NULL, 0,
                            &mip_base_continuous_built_in_test_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_comm_speed_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_comm_speed_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Comm port speed. If
@@ -201,9 +219,11 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
                                                                uint8_t port, uint32_t baud) {
-    struct mip_base_comm_speed command;
-    return mip_device_call(device, &mip_base_comm_speed_command,
-                           mip_base_comm_speed_write(&command, port, baud), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)port);
+    mip_put_32(data + 2, (uint32_t)baud);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -222,9 +242,10 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
  */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
-    struct mip_base_comm_speed command;
-    return mip_device_call(device, &mip_base_comm_speed_command,
-                           mip_base_comm_speed_read(&command, port),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2,
                            &mip_base_comm_speed_response_codec, response);
 }
 
@@ -244,9 +265,10 @@ static inline struct mip_result mip_call_base_comm_speed_read(
  */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
-    struct mip_base_comm_speed command;
-    return mip_device_call(device, &mip_base_comm_speed_command,
-                           mip_base_comm_speed_save(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -265,9 +287,10 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
  */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
-    struct mip_base_comm_speed command;
-    return mip_device_call(device, &mip_base_comm_speed_command,
-                           mip_base_comm_speed_load(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -286,9 +309,10 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
  */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {
-    struct mip_base_comm_speed command;
-    return mip_device_call(device, &mip_base_comm_speed_command,
-                           mip_base_comm_speed_default(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_base_comm_speed_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -304,6 +328,8 @@ mip_call_base_comm_speed_with(struct mip_device *device, const struct mip_base_c
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_gps_time_update_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_gps_time_update_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. */
 static inline mip_error mip_send_base_gps_time_update(
@@ -347,9 +373,11 @@ static inline mip_error mip_send_for_base_gps_time_update_tow_response(
  */
 static inline struct mip_result mip_call_base_gps_time_update_write(
     struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
-    struct mip_base_gps_time_update command;
-    return mip_device_call(device, &mip_base_gps_time_update_command,
-                           mip_base_gps_time_update_write(&command, field_id, value), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)field_id);
+    mip_put_32(data + 2, (uint32_t)value);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -359,9 +387,10 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
  */
 static inline struct mip_result mip_call_base_gps_time_update_read(
     struct mip_device *device, enum mip_base_gps_time_field field_id) {
-    struct mip_base_gps_time_update command;
-    return mip_device_call(device, &mip_base_gps_time_update_command,
-                           mip_base_gps_time_update_read(&command, field_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)field_id);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -370,11 +399,11 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_week_number_response *response) {
-    struct mip_base_gps_time_update command;
-    return mip_device_call(
-        device, &mip_base_gps_time_update_command,
-        mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER),
-        &mip_base_gps_time_update_week_number_response_codec, response);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2,
+                           &mip_base_gps_time_update_week_number_response_codec, response);
 }
 
 /**
@@ -383,9 +412,10 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
     struct mip_device *device, struct mip_base_gps_time_update_tow_response *response) {
-    struct mip_base_gps_time_update command;
-    return mip_device_call(device, &mip_base_gps_time_update_command,
-                           mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_TOW),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)MIP_BASE_GPS_TIME_FIELD_TOW);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 2,
                            &mip_base_gps_time_update_tow_response_codec, response);
 }
 
@@ -400,9 +430,11 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
  */
 static inline struct mip_result mip_call_base_gps_time_update_apply(
     struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
-    struct mip_base_gps_time_update command;
-    return mip_device_call(device, &mip_base_gps_time_update_command,
-                           mip_base_gps_time_update_apply(&command, field_id, value), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    mip_put_8(data + 1, (uint8_t)field_id);
+    mip_put_32(data + 2, (uint32_t)value);
+    return mip_device_send(device, &mip_base_gps_time_update_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -416,6 +448,8 @@ static inline struct mip_result mip_call_base_gps_time_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_soft_reset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_base_soft_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Reset device. */
 static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
@@ -427,7 +461,7 @@ static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
 
 /** Reset device. See mip_device_call. */
 static inline struct mip_result mip_call_base_soft_reset(struct mip_device *device) {
-    return mip_device_call(device, &mip_base_soft_reset_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_base_soft_reset_exchange, NULL, 0, NULL, NULL);
 }
 
 #ifdef __cplusplus

@@ -30,24 +30,50 @@ extern "C" {
 /** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
 
+/* Conditions on the data of a command: tests of its bytes, which must all hold, and alternatives.
+ */
+
+/** The end of a condition. */
+#define MIP_WHEN_END 0
+/** A byte, by its place in the data, has this value. */
+#define MIP_WHEN(place, value) 1, place, value
+/** It is not 0. */
+#define MIP_WHEN_SET(place) 2, place, 0
+/** What follows is an alternative to what came before. */
+#define MIP_WHEN_OR 3, 0, 0
+
 /** A response of a command. */
 struct mip_response {
-    /** The wire format of the response. */
-    const struct mip_codec *codec;
-    /** Does a command with these values request it? NULL if it always does. */
-    bool (*asked)(const void *command);
+    /** The condition under which it is requested; NULL if it always is. */
+    const uint8_t *asked;
+    /** Its wire format, if its descriptor has several; else NULL. */
+    const struct mip_codec *layout;
+    /** Its descriptor; 0 after the last response. */
+    uint8_t descriptor;
 };
 
-/** Properties of a command other than its wire format. */
+/** How a command is answered. */
+struct mip_exchange {
+    /** Descriptor set of the command. */
+    uint8_t descriptor_set;
+    /** Descriptor of the command. */
+    uint8_t descriptor;
+    /** Milliseconds that a device may take to answer; 0: no longer than usual. */
+    uint16_t timeout;
+    /** Does it begin with a function selector? */
+    bool selects;
+    /** The condition under which the device leaves it unanswered; NULL if it always answers. */
+    const uint8_t *silent;
+    /** Its responses, up to an entry without a descriptor; NULL if it has none. */
+    const struct mip_response *responses;
+};
+
+/** A command: its wire format, and how it is answered. */
 struct mip_command {
     /** The wire format of the command. */
     const struct mip_codec *codec;
-    /** Does the device leave this command unanswered? NULL if it always answers. */
-    bool (*silent)(const void *command);
-    /** Its responses, up to an entry without a codec; NULL if it has none. */
-    const struct mip_response *responses;
-    /** Milliseconds that a device may take to answer; 0: no longer than usual. */
-    uint16_t timeout;
+    /** How it is answered. */
+    const struct mip_exchange *exchange;
 };
 
 /** No answer yet. */
@@ -55,17 +81,17 @@ struct mip_command {
 /** The device has carried out the command, and sent its response, if it has one. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
 /** The device has refused the command; `code` is the reason. */
-#define MIP_REQUEST_REFUSED 2
+#define MIP_REQUEST_REFUSED 3
 /** The device did not answer in time. */
-#define MIP_REQUEST_TIMED_OUT 3
+#define MIP_REQUEST_TIMED_OUT 4
 /** The device does not answer this command: it is complete once it is sent. */
-#define MIP_REQUEST_SILENT 4
+#define MIP_REQUEST_SILENT 2
 /** The caller has cancelled the request. */
-#define MIP_REQUEST_CANCELLED 5
+#define MIP_REQUEST_CANCELLED 7
 /** The device has acknowledged the command without sending its response. */
-#define MIP_REQUEST_MISSING_RESPONSE 6
+#define MIP_REQUEST_MISSING_RESPONSE 5
 /** The device has sent a response that cannot be decoded; `error` is the reason. */
-#define MIP_REQUEST_UNDECODABLE 7
+#define MIP_REQUEST_UNDECODABLE 6
 
 /** One command that was sent. */
 struct mip_request {
@@ -77,14 +103,15 @@ struct mip_request {
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
-    /** The command, and the response that it requests; NULL if it requests none. If devices
-     * answer in different layouts, this is the first one or the expected one, and finally the
-     * one received. */
-    const struct mip_command *command;
-    /** The wire format of the response, see `command`. */
-    const struct mip_codec *codec;
-    /** The responses of the command, starting with the one that it requests. */
+    /** Descriptor set of the packet with the command. */
+    uint8_t descriptor_set;
+    /** How the command is answered. */
+    const struct mip_exchange *exchange;
+    /** Its responses, starting with the one that it requests; NULL if it requests none. */
     const struct mip_response *asked;
+    /** The wire format of the response, if the caller expects one, or if it is one of several
+     * layouts and has been received; else NULL. */
+    const struct mip_codec *codec;
     /** Where the response is stored; NULL if the caller does not need it. */
     void *response;
     /** When the request times out, in the caller's milliseconds. */
@@ -104,15 +131,27 @@ struct mip_client {
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
 MIP_API void mip_client_init(struct mip_client *client);
 
+/** Adds a command to a packet. A function selector that was left 0 is MIP_ERROR_MISSING: no device
+ * answers it. On an error the packet is unchanged. */
+MIP_CHECKED MIP_API mip_error mip_command_encode(const struct mip_command *command,
+                                                 const void *value, struct mip_builder *packet);
+
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
  * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
  * structure of the command, or NULL if it has no parameters. A request that still waits in this
  * client is cancelled first; one that waits in another client must be cancelled there before.
  */
-MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
-                                 struct mip_builder *packet, const struct mip_command *command,
-                                 const void *value, uint32_t now);
+MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
+                                             struct mip_builder *packet,
+                                             const struct mip_command *command, const void *value,
+                                             uint32_t now);
+
+/** The same for a command that is already in the packet, as its last field: `size` bytes of data.
+ */
+MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request,
+                             const struct mip_builder *packet, const struct mip_exchange *exchange,
+                             size_t size, uint32_t now);
 
 /**
  * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is
@@ -120,7 +159,7 @@ MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *
  *
  * If devices answer in different layouts, say which one this device has; if it sends another one,
  * the request is undecodable with MIP_ERROR_LAYOUT. If you do not know, take the field from
- * mip_client_next and decode it by the `codec` of the request.
+ * mip_client_next and decode it by the `codec` of the request, which then is the layout received.
  */
 MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec,
                                void *response);
@@ -131,10 +170,12 @@ MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_cod
  * `response` may be NULL. The generated functions mip_send_... call this with the types of each
  * command.
  */
-MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request *request,
-                                  struct mip_builder *packet, const struct mip_command *command,
-                                  const void *value, const struct mip_codec *codec, void *response,
-                                  uint32_t now);
+MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
+                                              struct mip_request *request,
+                                              struct mip_builder *packet,
+                                              const struct mip_command *command, const void *value,
+                                              const struct mip_codec *codec, void *response,
+                                              uint32_t now);
 
 /**
  * Processes a received packet. True if it answered any request; the answered requests are no longer

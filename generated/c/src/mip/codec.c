@@ -9,86 +9,99 @@ ASSERT(bytes_have_eight_bits, (unsigned char)-1 == 255);
 ASSERT(floats_have_four_bytes, sizeof(float) == 4);
 ASSERT(doubles_have_eight_bytes_or_four, sizeof(double) == 8 || sizeof(double) == 4);
 
-/* Layouts that are only numbers, as most are, need no interpreter, unless size matters more than
- * speed or doubles differ from those on the wire. */
+/** Doubles where the compiler has none of eight bytes. */
+static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
+    for (; count > 0; count--) {
+        uint32_t bits;
+        if (writing) {
+            memcpy(&bits, memory, sizeof(bits));
+            mip_put_64(wire, mip_widen(bits));
+        } else {
+            bits = mip_narrow(mip_get_64(wire));
+            memcpy(memory, &bits, sizeof(bits));
+        }
+        wire += 8;
+        memory += sizeof(bits);
+    }
+    return wire;
+}
+
 #ifdef __OPTIMIZE_SIZE__
-#define QUICK false
+
+uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, bool writing) {
+    /* On a little-endian host, bytes in memory are in reverse order, which flips the last bits of
+     * their index. */
+    const uint16_t one = 1;
+    const size_t size = (size_t)1 << (kind & 3);
+    const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;
+    if (kind == MIP_KIND_DOUBLE && sizeof(double) < 8) {
+        return move_narrow(wire, memory, count, writing);
+    }
+    for (size_t i = 0; i < size * count; i++) {
+        uint8_t *at = memory + (i ^ flip);
+        if (writing) {
+            *wire++ = *at;
+        } else {
+            *at = *wire++;
+        }
+    }
+    return wire;
+}
+
+/** Reads or writes a layout that is only numbers. */
+static void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool writing) {
+    for (unsigned step = *program; step != MIP_END; step = *program) {
+        wire = mip_move(wire, value + program[1], step >> 5, step & 31, writing);
+        program += 2;
+    }
+}
+
 #else
-#define QUICK (sizeof(double) == 8)
+
+/** Reads or writes numbers of 8, 16, 32 or 64 bits. */
+#define MOVE(bits)                                   \
+    do {                                             \
+        uint##bits##_t number;                       \
+        if (writing) {                               \
+            memcpy(&number, memory, sizeof(number)); \
+            mip_put_##bits(wire, number);            \
+        } else {                                     \
+            number = mip_get_##bits(wire);           \
+            memcpy(memory, &number, sizeof(number)); \
+        }                                            \
+        wire += sizeof(number);                      \
+        memory += sizeof(number);                    \
+    } while (--count > 0)
+
+/** At least one number. */
+MIP_QUICK uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned step, size_t count, bool writing) {
+    if (sizeof(double) < 8 && step < MIP_NUMBERS(MIP_KIND_DOUBLE + 1, 0)) {
+        return move_narrow(wire, memory, count, writing);
+    }
+    if (step - MIP_NUMBERS(MIP_KIND_32, 0) < MIP_NUMBERS(1, 0)) { /* most numbers are floats */
+        MOVE(32);
+    } else if (step - MIP_NUMBERS(MIP_KIND_16, 0) < MIP_NUMBERS(1, 0)) {
+        MOVE(16);
+    } else if (step - MIP_NUMBERS(MIP_KIND_8, 0) < MIP_NUMBERS(1, 0)) {
+        MOVE(8);
+    } else {
+        MOVE(64);
+    }
+    return wire;
+}
+
+uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, bool writing) {
+    return count > 0 ? move(wire, memory, MIP_NUMBERS(kind, 0), count, writing) : wire;
+}
+
+MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, bool writing) {
+    for (unsigned step = *program; step != MIP_END; step = *program) {
+        wire = move(wire, value + program[1], step, step & 31, writing);
+        program += 2;
+    }
+}
+
 #endif
-
-/** Reads numbers up to the end of the program. */
-static void read_all(const uint8_t *wire, const uint8_t *program, uint8_t *value) {
-    for (unsigned step = *program; step != MIP_END; step = *program) {
-        uint8_t *memory = value + program[1];
-        size_t count = step & 31;
-        program += 2;
-        if (step < MIP_NUMBERS(2, 0)) {
-            do {
-                *memory++ = *wire++;
-            } while (--count > 0);
-        } else if (step < MIP_NUMBERS(3, 0)) {
-            do {
-                const uint16_t number = mip_get_16(wire);
-                memcpy(memory, &number, sizeof(number));
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        } else if (step < MIP_NUMBERS(4, 0)) {
-            do {
-                const uint32_t number = mip_get_32(wire);
-                memcpy(memory, &number, sizeof(number));
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        } else {
-            do {
-                const uint64_t number = mip_get_64(wire);
-                memcpy(memory, &number, sizeof(number));
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        }
-    }
-}
-
-/** Writes numbers up to the end of the program. */
-static void write_all(uint8_t *wire, const uint8_t *program, const uint8_t *value) {
-    for (unsigned step = *program; step != MIP_END; step = *program) {
-        const uint8_t *memory = value + program[1];
-        size_t count = step & 31;
-        program += 2;
-        if (step < MIP_NUMBERS(2, 0)) {
-            do {
-                *wire++ = *memory++;
-            } while (--count > 0);
-        } else if (step < MIP_NUMBERS(3, 0)) {
-            do {
-                uint16_t number;
-                memcpy(&number, memory, sizeof(number));
-                mip_put_16(wire, number);
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        } else if (step < MIP_NUMBERS(4, 0)) {
-            do {
-                uint32_t number;
-                memcpy(&number, memory, sizeof(number));
-                mip_put_32(wire, number);
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        } else {
-            do {
-                uint64_t number;
-                memcpy(&number, memory, sizeof(number));
-                mip_put_64(wire, number);
-                wire += sizeof(number);
-                memory += sizeof(number);
-            } while (--count > 0);
-        }
-    }
-}
 
 bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
     const uint8_t *set = codec->program;
@@ -101,54 +114,66 @@ bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
 }
 
 bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field) {
-    const uint8_t *p = codec->program;
-    if (p[0] != MIP_STEP_LAYOUT) {
-        return true;
-    }
-    if (field->size < p[1] || field->size > p[2]) {
-        return false;
-    }
-    for (size_t left = p[3]; left > 0; left--) { /* places in the data, and the bytes there */
-        p += 2;
-        if (p[2] < field->size && field->data[p[2]] != p[3]) {
-            return false;
-        }
-    }
-    return true;
+    const struct mip_interpreter *interpreter = codec->interpreter;
+    return interpreter == NULL || interpreter->matches == NULL ||
+           interpreter->matches(codec, field);
+}
+
+/** Is it this field? MIP_OK, or why it is another one. */
+static mip_error check(const struct mip_codec *codec, const struct mip_field *field) {
+    return field->descriptor != codec->descriptor             ? MIP_ERROR_DESCRIPTOR
+           : !mip_codec_belongs(codec, field->descriptor_set) ? MIP_ERROR_SET
+           : !mip_codec_matches(codec, field)                 ? MIP_ERROR_LAYOUT
+           : codec->numbers > field->size                     ? MIP_ERROR_TRUNCATED
+                                                              : MIP_OK;
 }
 
 bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
-    return field->descriptor == codec->descriptor &&
-           mip_codec_belongs(codec, field->descriptor_set) && mip_codec_matches(codec, field);
+    const mip_error error = check(codec, field);
+    return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
+}
+
+/** Decodes a field that is only numbers, of this type; returns the bytes that are left over. */
+static size_t read_numbers(const struct mip_codec *codec, void *value,
+                           const struct mip_field *field) {
+    if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
+        memset(value, 0, codec->size);
+    }
+    /* Nothing is written to the field. */
+    move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
+    return (size_t)field->size - codec->numbers;
+}
+
+MIP_APART mip_error decode(const struct mip_codec *codec, void *value,
+                           const struct mip_field *field, size_t *trailing) {
+    mip_error error = check(codec, field);
+    size_t left = field->size;
+    if (error == MIP_OK && codec->interpreter != NULL) {
+        error = codec->interpreter->read(codec, value, field, &left);
+    } else if (error == MIP_OK) {
+        left = read_numbers(codec, value, field);
+    }
+    if (error != MIP_OK) {
+        memset(value, 0, codec->size);
+    }
+    if (trailing != NULL) {
+        *trailing = left;
+    }
+    return error;
 }
 
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    mip_error error = mip_codec_belongs(codec, field->descriptor_set)
-                          ? mip_field_check(field, field->descriptor_set, codec->descriptor,
-                                            QUICK ? codec->numbers : 0)
-                          : MIP_ERROR_SET;
-    if (QUICK && codec->numbers > 0 && error == MIP_OK) {
-        if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
-            memset(value, 0, codec->size);
-        }
-        read_all(field->data, codec->program, (uint8_t *)value);
-        if (trailing != NULL) {
-            *trailing = (size_t)field->size - codec->numbers;
-        }
+#ifndef __OPTIMIZE_SIZE__
+    /* Most fields, without a call. */
+    if (field->descriptor == codec->descriptor && field->descriptor_set == codec->descriptor_set &&
+        codec->plain && field->size >= codec->numbers && trailing == NULL) {
+        memset((uint8_t *)value + codec->size - 8, 0, 8);
+        move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
         return MIP_OK;
     }
-    if (error == MIP_OK || error == MIP_ERROR_TRUNCATED) {
-        if (mip_codec_matches(codec, field)) {
-            return mip_program_read(codec, value, field, trailing);
-        }
-        error = MIP_ERROR_LAYOUT;
-    }
-    memset(value, 0, codec->size);
-    if (trailing != NULL) {
-        *trailing = field->size;
-    }
-    return error;
+#endif
+    return decode(codec, value, field, trailing);
 }
 
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
@@ -156,24 +181,22 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
     const size_t start = builder->length + 2;
     size_t size = codec->numbers;
     uint8_t *data;
-    if (start + MIP_CHECKSUM_SIZE > builder->capacity) {
-        return MIP_ERROR_LENGTH;
+    if (start + size + MIP_CHECKSUM_SIZE > builder->capacity) {
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
+    data = builder->buffer + start;
     if (!mip_codec_belongs(codec, builder->buffer[2])) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
-    if (!QUICK || size == 0) {
+    if (codec->interpreter == NULL) {
+        /* Nothing is written to the structure. */
+        move_all(codec->program, data, (uint8_t *)(uintptr_t)value, true);
+    } else {
         const size_t room = builder->capacity - MIP_CHECKSUM_SIZE - start;
-        const mip_error error =
-            mip_program_write(codec, value, builder->buffer + start, room, &size);
+        const mip_error error = codec->interpreter->write(codec, value, data, room, &size);
         if (error != MIP_OK) {
-            return error;
+            return mip_builder_note(builder, error);
         }
     }
-    const mip_error error =
-        mip_builder_reserve(builder, builder->buffer[2], codec->descriptor, size, &data);
-    if (QUICK && error == MIP_OK && codec->numbers > 0) {
-        write_all(data, codec->program, (const uint8_t *)value);
-    }
-    return error;
+    return mip_builder_reserve(builder, builder->buffer[2], codec->descriptor, size, &data);
 }

@@ -1,11 +1,17 @@
 /* Packets, fields, and the packet builder. */
 #include "mip/core.h"
 
+#include "mip/checksum.h"
+
 unsigned long mip_version(void) {
     return MIP_VERSION_NUMBER;
 }
 
 /* --------------------------------------------------------------------------- packets and fields */
+
+uint16_t mip_checksum(const uint8_t *bytes, size_t size) {
+    return mip_sum(bytes, size);
+}
 
 mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     if (size < 2 || bytes[0] != MIP_SYNC_1 || bytes[1] != MIP_SYNC_2) {
@@ -31,7 +37,7 @@ mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const
                           size_t size) {
     uint8_t *to;
     if (size > MIP_MAX_FIELD_DATA) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     const mip_error error =
         mip_builder_reserve(builder, mip_builder_set(builder), descriptor, size, &to);

@@ -46,7 +46,8 @@ typedef enum mip_error {
     MIP_ERROR_COUNT,
     /** A constant has another value. */
     MIP_ERROR_CONSTANT,
-    /** The number of present parameters ends between a counter and its array, or is too large. */
+    /** The number of present parameters ends between a counter and its array, or is too large, or
+     * parameters that it leaves out have values; or a command has no function. */
     MIP_ERROR_MISSING,
     /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET,
@@ -195,7 +196,18 @@ struct mip_builder {
     size_t capacity;
     /** Bytes used, without the checksum. */
     size_t length;
+    /** The first error of starting the packet or adding to it, for those who ask once at the end;
+     * MIP_OK if there was none. What was refused is not in the packet, which stays valid. */
+    mip_error error;
 };
+
+/** Remembers the first error, and returns this one. */
+static inline mip_error mip_builder_note(struct mip_builder *builder, mip_error error) {
+    if (builder->error == MIP_OK) {
+        builder->error = error;
+    }
+    return error;
+}
 
 /**
  * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
@@ -206,11 +218,12 @@ static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *
     builder->buffer = buffer;
     builder->capacity = 0;
     builder->length = 0;
+    builder->error = MIP_OK;
     if (!mip_set_valid(descriptor_set)) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
     if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     buffer[0] = MIP_SYNC_1;
     buffer[1] = MIP_SYNC_2;
@@ -227,8 +240,8 @@ static inline uint8_t mip_builder_set(const struct mip_builder *builder) {
 }
 
 /** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
-MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
-                                  size_t size);
+MIP_CHECKED MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor,
+                                              const void *data, size_t size);
 
 /** Writes the checksum and returns the packet. More fields may be added before finishing again. */
 static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) {
@@ -321,6 +334,8 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 /** A field with data, which the device sends by itself. */
 #define MIP_DATA 2
 
+struct mip_interpreter;
+
 /** The wire format of a type of field. */
 struct mip_codec {
     /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets; the first
@@ -330,14 +345,18 @@ struct mip_codec {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Bytes of data, if they are only numbers that fill the structure; 0 for other layouts. */
+    /** Bytes of data, at least, of a layout that is only numbers; 0 of other layouts. */
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
     /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
     uint8_t more_sets;
+    /** Is it only numbers, which fill a structure of at least eight bytes up to its last seven? */
+    bool plain;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
+    /** What runs them; NULL if they are only numbers. */
+    const struct mip_interpreter *interpreter;
 };
 
 /** Do packets of this descriptor set contain fields of this type? */
@@ -357,12 +376,28 @@ MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec 
 MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
                              const struct mip_field *field, size_t *trailing);
 
+/** What each _decode calls. Most fields of a packet are others: they are refused before a call,
+ * unless size matters more than speed. */
+static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t descriptor,
+                                        void *value, size_t size, const struct mip_field *field) {
+#ifdef __OPTIMIZE_SIZE__
+    (void)descriptor;
+    (void)size;
+#else
+    if (field->descriptor != descriptor) {
+        memset(value, 0, size);
+        return MIP_ERROR_DESCRIPTOR;
+    }
+#endif
+    return mip_decode(codec, value, field, NULL);
+}
+
 /**
  * Encodes a field of any type into a packet. On an error the packet is unchanged. `value` may be
  * NULL if the field has no parameters.
  */
-MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
-                             struct mip_builder *builder);
+MIP_CHECKED MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
+                                         struct mip_builder *builder);
 
 /** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
  * data sets. */
@@ -374,10 +409,10 @@ static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
 /** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
 static inline mip_error mip_field_check(const struct mip_field *field, uint8_t descriptor_set,
                                         uint8_t descriptor, size_t size) {
-    return !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
-           : field->descriptor != descriptor                   ? MIP_ERROR_DESCRIPTOR
-           : field->size < size                                ? MIP_ERROR_TRUNCATED
-                                                               : MIP_OK;
+    return field->descriptor != descriptor                       ? MIP_ERROR_DESCRIPTOR
+           : !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
+           : field->size < size                                  ? MIP_ERROR_TRUNCATED
+                                                                 : MIP_OK;
 }
 
 /**
@@ -388,10 +423,10 @@ static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t
                                             uint8_t descriptor, size_t size, uint8_t **data) {
     const size_t end = builder->length + 2 + size;
     if (end + MIP_CHECKSUM_SIZE > builder->capacity) {
-        return MIP_ERROR_LENGTH;
+        return mip_builder_note(builder, MIP_ERROR_LENGTH);
     }
     if (!mip_set_has(builder->buffer[2], descriptor_set)) {
-        return MIP_ERROR_SET;
+        return mip_builder_note(builder, MIP_ERROR_SET);
     }
     uint8_t *at = builder->buffer + builder->length;
     at[0] = (uint8_t)(size + 2);

@@ -43,8 +43,11 @@ struct mip_port {
     void *user;
 };
 
-/** For `type` of a handler: every field without an earlier entry. */
-#define MIP_ANY_FIELD NULL
+/** For `type` of a handler: every field without an earlier entry. Not 0, so that an entry that was
+ * left empty is for none. */
+#define MIP_ANY_FIELD (&mip_any_field)
+/** It is no wire format: only its address counts. */
+extern MIP_API const struct mip_codec mip_any_field;
 /** For `descriptor_set` of a handler: every set in which the type occurs. */
 #define MIP_ANY_SET 0
 
@@ -149,7 +152,7 @@ MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *p
 /**
  * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields
  * that are now complete. Programs that wait for data call it repeatedly; the same happens while a
- * command waits for its answer. False if the port is gone.
+ * command waits for its answer. False if the port is gone, or if it is called from a handler.
  */
 MIP_API bool mip_device_poll(struct mip_device *device);
 
@@ -171,6 +174,16 @@ MIP_API bool mip_device_poll(struct mip_device *device);
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,
                                           const struct mip_codec *codec, void *response);
+
+/**
+ * The same with the data of the command as it is sent, without its structure. Functions
+ * mip_call_... that take plain values call this, so that a program with only these links nothing
+ * that encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
+ */
+MIP_API struct mip_result mip_device_send(struct mip_device *device,
+                                          const struct mip_exchange *exchange, const uint8_t *data,
+                                          size_t size, const struct mip_codec *codec,
+                                          void *response);
 
 #ifdef __cplusplus
 }

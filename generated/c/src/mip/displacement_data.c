@@ -14,7 +14,9 @@ const struct mip_codec mip_displacement_data_displacement_raw_codec = {
     4,
     sizeof(struct mip_displacement_data_displacement_raw),
     0,
-    program_displacement_raw};
+    sizeof(struct mip_displacement_data_displacement_raw) >= 8,
+    program_displacement_raw,
+    NULL};
 
 static const uint8_t program_displacement[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_displacement_data_displacement, displacement)),
@@ -28,4 +30,6 @@ const struct mip_codec mip_displacement_data_displacement_codec = {
     4,
     sizeof(struct mip_displacement_data_displacement),
     0,
-    program_displacement};
+    sizeof(struct mip_displacement_data_displacement) >= 8,
+    program_displacement,
+    NULL};

@@ -47,11 +47,12 @@ extern MIP_API const struct mip_codec mip_displacement_data_displacement_raw_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_raw_decode(
     struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
-    return mip_decode(&mip_displacement_data_displacement_raw_codec, value, field, NULL);
+    return mip_decode_only(&mip_displacement_data_displacement_raw_codec, 0x01, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_displacement_data_displacement_raw_encode(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_raw_codec, value, builder);
 }
@@ -71,7 +72,7 @@ static inline mip_error mip_displacement_data_displacement_raw_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode_inline(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x90, 0x01, 4, &data);
@@ -109,11 +110,12 @@ extern MIP_API const struct mip_codec mip_displacement_data_displacement_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_decode(
     struct mip_displacement_data_displacement *value, const struct mip_field *field) {
-    return mip_decode(&mip_displacement_data_displacement_codec, value, field, NULL);
+    return mip_decode_only(&mip_displacement_data_displacement_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_displacement_data_displacement_encode(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
 }
@@ -133,7 +135,7 @@ static inline mip_error mip_displacement_data_displacement_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_displacement_data_displacement_encode_inline(
+MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode_inline(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x90, 0x02, 4, &data);

@@ -1,6 +1,7 @@
 /**
  * @file
- * MIP_API marks what a shared library exports.
+ * What is said to compilers that understand it: MIP_API marks what a shared library exports,
+ * MIP_QUICK and MIP_APART what is compiled for speed, MIP_CHECKED what callers must look at.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -22,6 +23,28 @@
 #define MIP_API __attribute__((visibility("default")))
 #else
 #define MIP_API
+#endif
+
+#ifdef __GNUC__
+/** Before a function whose result says whether it has done anything: compilers warn if that is
+ * ignored. */
+#define MIP_CHECKED __attribute__((warn_unused_result))
+#else
+/** Before a function whose result says whether it has done anything. */
+#define MIP_CHECKED
+#endif
+
+/* The way of most fields is one function without calls; what others need is apart from it. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+/** A static function that becomes part of those that call it. */
+#define MIP_QUICK static inline __attribute__((always_inline))
+/** A static function that does not. */
+#define MIP_APART static __attribute__((noinline))
+#else
+/** A static function that becomes part of those that call it. */
+#define MIP_QUICK static inline
+/** A static function that does not. */
+#define MIP_APART static
 #endif
 
 #endif

@@ -8,9 +8,12 @@ static const uint8_t program_reset[] = {
 };
 
 const struct mip_codec mip_filter_reset_codec = {
-    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, program_reset};
+    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, false, program_reset, NULL};
 
-const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec, NULL, NULL, 0};
+const struct mip_exchange mip_filter_reset_exchange = {0x0D, 0x01, 0, false, NULL, NULL};
+
+const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec,
+                                                     &mip_filter_reset_exchange};
 
 static const uint8_t program_set_initial_attitude[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_set_initial_attitude, roll)),
@@ -24,10 +27,15 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     12,
     sizeof(struct mip_filter_set_initial_attitude),
     0,
-    program_set_initial_attitude};
+    sizeof(struct mip_filter_set_initial_attitude) >= 8,
+    program_set_initial_attitude,
+    NULL};
+
+const struct mip_exchange mip_filter_set_initial_attitude_exchange = {0x0D,  0x02, 0,
+                                                                      false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
-    &mip_filter_set_initial_attitude_codec, NULL, NULL, 0};
+    &mip_filter_set_initial_attitude_codec, &mip_filter_set_initial_attitude_exchange};
 
 static const uint8_t program_set_initial_heading[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_heading, heading)),
@@ -41,10 +49,15 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     4,
     sizeof(struct mip_filter_set_initial_heading),
     0,
-    program_set_initial_heading};
+    sizeof(struct mip_filter_set_initial_heading) >= 8,
+    program_set_initial_heading,
+    NULL};
+
+const struct mip_exchange mip_filter_set_initial_heading_exchange = {0x0D,  0x03, 0,
+                                                                     false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
-    &mip_filter_set_initial_heading_codec, NULL, NULL, 0};
+    &mip_filter_set_initial_heading_codec, &mip_filter_set_initial_heading_exchange};
 
 static const uint8_t program_set_initial_attitude_from_imu[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_set_initial_attitude_from_imu, declination)),
@@ -58,19 +71,27 @@ const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec = {
     4,
     sizeof(struct mip_filter_set_initial_attitude_from_imu),
     0,
-    program_set_initial_attitude_from_imu};
+    sizeof(struct mip_filter_set_initial_attitude_from_imu) >= 8,
+    program_set_initial_attitude_from_imu,
+    NULL};
+
+const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange = {0x0D,  0x04, 0,
+                                                                               false, NULL, NULL};
 
 const struct mip_command mip_filter_set_initial_attitude_from_imu_command = {
-    &mip_filter_set_initial_attitude_from_imu_codec, NULL, NULL, 0};
+    &mip_filter_set_initial_attitude_from_imu_codec,
+    &mip_filter_set_initial_attitude_from_imu_exchange};
 
 static const uint8_t program_run[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_filter_run_codec = {
-    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, program_run};
+    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, false, program_run, NULL};
 
-const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, NULL, NULL, 0};
+const struct mip_exchange mip_filter_run_exchange = {0x0D, 0x05, 0, false, NULL, NULL};
+
+const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, &mip_filter_run_exchange};
 
 static const uint8_t program_vehicle_dynamics_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -86,21 +107,22 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     0,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
     0,
-    program_vehicle_dynamics_mode};
+    false,
+    program_vehicle_dynamics_mode,
+    &mip_program};
 
-static bool asked_vehicle_dynamics_mode_1(const void *value) {
-    const struct mip_filter_vehicle_dynamics_mode *v =
-        (const struct mip_filter_vehicle_dynamics_mode *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_vehicle_dynamics_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_vehicle_dynamics_mode[] = {
-    {&mip_filter_vehicle_dynamics_mode_response_codec, asked_vehicle_dynamics_mode_1},
-    {NULL, NULL},
+    {asked_vehicle_dynamics_mode_1, NULL, 0x80},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange = {
+    0x0D, 0x10, 0, true, NULL, responses_vehicle_dynamics_mode};
+
 const struct mip_command mip_filter_vehicle_dynamics_mode_command = {
-    &mip_filter_vehicle_dynamics_mode_codec, NULL, responses_vehicle_dynamics_mode, 0};
+    &mip_filter_vehicle_dynamics_mode_codec, &mip_filter_vehicle_dynamics_mode_exchange};
 
 static const uint8_t program_vehicle_dynamics_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vehicle_dynamics_mode_response, mode)),
@@ -114,7 +136,9 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     1,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
     0,
-    program_vehicle_dynamics_mode_response};
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response) >= 8,
+    program_vehicle_dynamics_mode_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(1, 3),
@@ -134,21 +158,22 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_euler),
     0,
-    program_sensor_to_vehicle_euler};
+    false,
+    program_sensor_to_vehicle_euler,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_euler_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_euler *v =
-        (const struct mip_filter_sensor_to_vehicle_euler *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_euler_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                          MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_euler[] = {
-    {&mip_filter_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_euler_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_euler_1, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange = {
+    0x0D, 0x11, 0, true, NULL, responses_sensor_to_vehicle_euler};
+
 const struct mip_command mip_filter_sensor_to_vehicle_euler_command = {
-    &mip_filter_sensor_to_vehicle_euler_codec, NULL, responses_sensor_to_vehicle_euler, 0};
+    &mip_filter_sensor_to_vehicle_euler_codec, &mip_filter_sensor_to_vehicle_euler_exchange};
 
 static const uint8_t program_sensor_to_vehicle_euler_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_euler_response, roll)),
@@ -162,7 +187,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
     0,
-    program_sensor_to_vehicle_euler_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_euler_response) >= 8,
+    program_sensor_to_vehicle_euler_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -178,21 +205,22 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
     0,
-    program_sensor_to_vehicle_offset};
+    false,
+    program_sensor_to_vehicle_offset,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_offset_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_offset *v =
-        (const struct mip_filter_sensor_to_vehicle_offset *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                           MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_offset[] = {
-    {&mip_filter_sensor_to_vehicle_offset_response_codec, asked_sensor_to_vehicle_offset_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_offset_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange = {
+    0x0D, 0x12, 0, true, NULL, responses_sensor_to_vehicle_offset};
+
 const struct mip_command mip_filter_sensor_to_vehicle_offset_command = {
-    &mip_filter_sensor_to_vehicle_offset_codec, NULL, responses_sensor_to_vehicle_offset, 0};
+    &mip_filter_sensor_to_vehicle_offset_codec, &mip_filter_sensor_to_vehicle_offset_exchange};
 
 static const uint8_t program_sensor_to_vehicle_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_offset_response, offset)),
@@ -206,7 +234,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
     0,
-    program_sensor_to_vehicle_offset_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response) >= 8,
+    program_sensor_to_vehicle_offset_response,
+    NULL};
 
 static const uint8_t program_antenna_offset[] = {
     MIP_REQUIRED(1, 1),
@@ -221,20 +251,22 @@ const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_antenna_offset),
                                                           0,
-                                                          program_antenna_offset};
+                                                          false,
+                                                          program_antenna_offset,
+                                                          &mip_program};
 
-static bool asked_antenna_offset_1(const void *value) {
-    const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                 MIP_WHEN_END};
 static const struct mip_response responses_antenna_offset[] = {
-    {&mip_filter_antenna_offset_response_codec, asked_antenna_offset_1},
-    {NULL, NULL},
+    {asked_antenna_offset_1, NULL, 0x83},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_antenna_offset_exchange = {
+    0x0D, 0x13, 0, true, NULL, responses_antenna_offset};
+
 const struct mip_command mip_filter_antenna_offset_command = {&mip_filter_antenna_offset_codec,
-                                                              NULL, responses_antenna_offset, 0};
+                                                              &mip_filter_antenna_offset_exchange};
 
 static const uint8_t program_antenna_offset_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_antenna_offset_response, offset)),
@@ -248,7 +280,9 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     12,
     sizeof(struct mip_filter_antenna_offset_response),
     0,
-    program_antenna_offset_response};
+    sizeof(struct mip_filter_antenna_offset_response) >= 8,
+    program_antenna_offset_response,
+    NULL};
 
 static const uint8_t program_estimation_control[] = {
     MIP_REQUIRED(1, 1),
@@ -264,21 +298,22 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     0,
     sizeof(struct mip_filter_estimation_control),
     0,
-    program_estimation_control};
+    false,
+    program_estimation_control,
+    &mip_program};
 
-static bool asked_estimation_control_1(const void *value) {
-    const struct mip_filter_estimation_control *v =
-        (const struct mip_filter_estimation_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_estimation_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_estimation_control[] = {
-    {&mip_filter_estimation_control_response_codec, asked_estimation_control_1},
-    {NULL, NULL},
+    {asked_estimation_control_1, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_estimation_control_exchange = {
+    0x0D, 0x14, 0, true, NULL, responses_estimation_control};
+
 const struct mip_command mip_filter_estimation_control_command = {
-    &mip_filter_estimation_control_codec, NULL, responses_estimation_control, 0};
+    &mip_filter_estimation_control_codec, &mip_filter_estimation_control_exchange};
 
 static const uint8_t program_estimation_control_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_estimation_control_response, flags)),
@@ -292,7 +327,9 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     2,
     sizeof(struct mip_filter_estimation_control_response),
     0,
-    program_estimation_control_response};
+    sizeof(struct mip_filter_estimation_control_response) >= 8,
+    program_estimation_control_response,
+    NULL};
 
 static const uint8_t program_gnss_source[] = {
     MIP_REQUIRED(1, 1),
@@ -302,20 +339,21 @@ static const uint8_t program_gnss_source[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15, MIP_COMMAND, 0, sizeof(struct mip_filter_gnss_source), 0, program_gnss_source};
+    0x0D, 0x15,  MIP_COMMAND,         0,           sizeof(struct mip_filter_gnss_source),
+    0,    false, program_gnss_source, &mip_program};
 
-static bool asked_gnss_source_1(const void *value) {
-    const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                              MIP_WHEN_END};
 static const struct mip_response responses_gnss_source[] = {
-    {&mip_filter_gnss_source_response_codec, asked_gnss_source_1},
-    {NULL, NULL},
+    {asked_gnss_source_1, NULL, 0x86},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec, NULL,
-                                                           responses_gnss_source, 0};
+const struct mip_exchange mip_filter_gnss_source_exchange = {0x0D, 0x15, 0,
+                                                             true, NULL, responses_gnss_source};
+
+const struct mip_command mip_filter_gnss_source_command = {&mip_filter_gnss_source_codec,
+                                                           &mip_filter_gnss_source_exchange};
 
 static const uint8_t program_gnss_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_source_response, source)),
@@ -329,7 +367,9 @@ const struct mip_codec mip_filter_gnss_source_response_codec = {
     1,
     sizeof(struct mip_filter_gnss_source_response),
     0,
-    program_gnss_source_response};
+    sizeof(struct mip_filter_gnss_source_response) >= 8,
+    program_gnss_source_response,
+    NULL};
 
 static const uint8_t program_external_gnss_update[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_gnss_update, tow)),
@@ -346,10 +386,15 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     70,
     sizeof(struct mip_filter_external_gnss_update),
     0,
-    program_external_gnss_update};
+    false,
+    program_external_gnss_update,
+    NULL};
+
+const struct mip_exchange mip_filter_external_gnss_update_exchange = {0x0D,  0x16, 0,
+                                                                      false, NULL, NULL};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
-    &mip_filter_external_gnss_update_codec, NULL, NULL, 0};
+    &mip_filter_external_gnss_update_codec, &mip_filter_external_gnss_update_exchange};
 
 static const uint8_t program_external_heading_update[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_filter_external_heading_update, heading)),
@@ -364,10 +409,15 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     9,
     sizeof(struct mip_filter_external_heading_update),
     0,
-    program_external_heading_update};
+    sizeof(struct mip_filter_external_heading_update) >= 8,
+    program_external_heading_update,
+    NULL};
+
+const struct mip_exchange mip_filter_external_heading_update_exchange = {0x0D,  0x17, 0,
+                                                                         false, NULL, NULL};
 
 const struct mip_command mip_filter_external_heading_update_command = {
-    &mip_filter_external_heading_update_codec, NULL, NULL, 0};
+    &mip_filter_external_heading_update_codec, &mip_filter_external_heading_update_exchange};
 
 static const uint8_t program_heading_source[] = {
     MIP_REQUIRED(1, 1),
@@ -382,20 +432,22 @@ const struct mip_codec mip_filter_heading_source_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_heading_source),
                                                           0,
-                                                          program_heading_source};
+                                                          false,
+                                                          program_heading_source,
+                                                          &mip_program};
 
-static bool asked_heading_source_1(const void *value) {
-    const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_heading_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                 MIP_WHEN_END};
 static const struct mip_response responses_heading_source[] = {
-    {&mip_filter_heading_source_response_codec, asked_heading_source_1},
-    {NULL, NULL},
+    {asked_heading_source_1, NULL, 0x87},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_heading_source_exchange = {
+    0x0D, 0x18, 0, true, NULL, responses_heading_source};
+
 const struct mip_command mip_filter_heading_source_command = {&mip_filter_heading_source_codec,
-                                                              NULL, responses_heading_source, 0};
+                                                              &mip_filter_heading_source_exchange};
 
 static const uint8_t program_heading_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_heading_source_response, source)),
@@ -409,7 +461,9 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     1,
     sizeof(struct mip_filter_heading_source_response),
     0,
-    program_heading_source_response};
+    sizeof(struct mip_filter_heading_source_response) >= 8,
+    program_heading_source_response,
+    NULL};
 
 static const uint8_t program_auto_initialization_control[] = {
     MIP_REQUIRED(1, 1),
@@ -425,21 +479,23 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     0,
     sizeof(struct mip_filter_auto_initialization_control),
     0,
-    program_auto_initialization_control};
+    false,
+    program_auto_initialization_control,
+    &mip_program};
 
-static bool asked_auto_initialization_control_1(const void *value) {
-    const struct mip_filter_auto_initialization_control *v =
-        (const struct mip_filter_auto_initialization_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_auto_initialization_control_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_initialization_control[] = {
-    {&mip_filter_auto_initialization_control_response_codec, asked_auto_initialization_control_1},
-    {NULL, NULL},
+    {asked_auto_initialization_control_1, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_auto_initialization_control_exchange = {
+    0x0D, 0x19, 0, true, NULL, responses_auto_initialization_control};
+
 const struct mip_command mip_filter_auto_initialization_control_command = {
-    &mip_filter_auto_initialization_control_codec, NULL, responses_auto_initialization_control, 0};
+    &mip_filter_auto_initialization_control_codec,
+    &mip_filter_auto_initialization_control_exchange};
 
 static const uint8_t program_auto_initialization_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_initialization_control_response, enable)),
@@ -453,7 +509,9 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     1,
     sizeof(struct mip_filter_auto_initialization_control_response),
     0,
-    program_auto_initialization_control_response};
+    sizeof(struct mip_filter_auto_initialization_control_response) >= 8,
+    program_auto_initialization_control_response,
+    NULL};
 
 static const uint8_t program_accel_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -463,20 +521,21 @@ static const uint8_t program_accel_noise[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A, MIP_COMMAND, 0, sizeof(struct mip_filter_accel_noise), 0, program_accel_noise};
+    0x0D, 0x1A,  MIP_COMMAND,         0,           sizeof(struct mip_filter_accel_noise),
+    0,    false, program_accel_noise, &mip_program};
 
-static bool asked_accel_noise_1(const void *value) {
-    const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_accel_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                              MIP_WHEN_END};
 static const struct mip_response responses_accel_noise[] = {
-    {&mip_filter_accel_noise_response_codec, asked_accel_noise_1},
-    {NULL, NULL},
+    {asked_accel_noise_1, NULL, 0x89},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec, NULL,
-                                                           responses_accel_noise, 0};
+const struct mip_exchange mip_filter_accel_noise_exchange = {0x0D, 0x1A, 0,
+                                                             true, NULL, responses_accel_noise};
+
+const struct mip_command mip_filter_accel_noise_command = {&mip_filter_accel_noise_codec,
+                                                           &mip_filter_accel_noise_exchange};
 
 static const uint8_t program_accel_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_noise_response, noise)),
@@ -490,7 +549,9 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     12,
     sizeof(struct mip_filter_accel_noise_response),
     0,
-    program_accel_noise_response};
+    sizeof(struct mip_filter_accel_noise_response) >= 8,
+    program_accel_noise_response,
+    NULL};
 
 static const uint8_t program_gyro_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -500,20 +561,20 @@ static const uint8_t program_gyro_noise[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_noise), 0, program_gyro_noise};
+    0x0D, 0x1B,  MIP_COMMAND,        0,           sizeof(struct mip_filter_gyro_noise),
+    0,    false, program_gyro_noise, &mip_program};
 
-static bool asked_gyro_noise_1(const void *value) {
-    const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gyro_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_gyro_noise[] = {
-    {&mip_filter_gyro_noise_response_codec, asked_gyro_noise_1},
-    {NULL, NULL},
+    {asked_gyro_noise_1, NULL, 0x8A},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec, NULL,
-                                                          responses_gyro_noise, 0};
+const struct mip_exchange mip_filter_gyro_noise_exchange = {0x0D, 0x1B, 0,
+                                                            true, NULL, responses_gyro_noise};
+
+const struct mip_command mip_filter_gyro_noise_command = {&mip_filter_gyro_noise_codec,
+                                                          &mip_filter_gyro_noise_exchange};
 
 static const uint8_t program_gyro_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_noise_response, noise)),
@@ -527,7 +588,9 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gyro_noise_response),
     0,
-    program_gyro_noise_response};
+    sizeof(struct mip_filter_gyro_noise_response) >= 8,
+    program_gyro_noise_response,
+    NULL};
 
 static const uint8_t program_accel_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -545,20 +608,22 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     0,
     sizeof(struct mip_filter_accel_bias_model),
     0,
-    program_accel_bias_model};
+    false,
+    program_accel_bias_model,
+    &mip_program};
 
-static bool asked_accel_bias_model_1(const void *value) {
-    const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_accel_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                   MIP_WHEN_END};
 static const struct mip_response responses_accel_bias_model[] = {
-    {&mip_filter_accel_bias_model_response_codec, asked_accel_bias_model_1},
-    {NULL, NULL},
+    {asked_accel_bias_model_1, NULL, 0x8B},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_accel_bias_model_exchange = {
+    0x0D, 0x1C, 0, true, NULL, responses_accel_bias_model};
+
 const struct mip_command mip_filter_accel_bias_model_command = {
-    &mip_filter_accel_bias_model_codec, NULL, responses_accel_bias_model, 0};
+    &mip_filter_accel_bias_model_codec, &mip_filter_accel_bias_model_exchange};
 
 static const uint8_t program_accel_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_accel_bias_model_response, beta)),
@@ -572,7 +637,9 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_accel_bias_model_response),
     0,
-    program_accel_bias_model_response};
+    sizeof(struct mip_filter_accel_bias_model_response) >= 8,
+    program_accel_bias_model_response,
+    NULL};
 
 static const uint8_t program_gyro_bias_model[] = {
     MIP_REQUIRED(1, 2),
@@ -590,20 +657,22 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
     0,
     sizeof(struct mip_filter_gyro_bias_model),
     0,
-    program_gyro_bias_model};
+    false,
+    program_gyro_bias_model,
+    &mip_program};
 
-static bool asked_gyro_bias_model_1(const void *value) {
-    const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gyro_bias_model_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN_END};
 static const struct mip_response responses_gyro_bias_model[] = {
-    {&mip_filter_gyro_bias_model_response_codec, asked_gyro_bias_model_1},
-    {NULL, NULL},
+    {asked_gyro_bias_model_1, NULL, 0x8C},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_gyro_bias_model_command = {&mip_filter_gyro_bias_model_codec,
-                                                               NULL, responses_gyro_bias_model, 0};
+const struct mip_exchange mip_filter_gyro_bias_model_exchange = {
+    0x0D, 0x1D, 0, true, NULL, responses_gyro_bias_model};
+
+const struct mip_command mip_filter_gyro_bias_model_command = {
+    &mip_filter_gyro_bias_model_codec, &mip_filter_gyro_bias_model_exchange};
 
 static const uint8_t program_gyro_bias_model_response[] = {
     MIP_32_BITS(6, MIP_AT(struct mip_filter_gyro_bias_model_response, beta)),
@@ -617,7 +686,9 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     24,
     sizeof(struct mip_filter_gyro_bias_model_response),
     0,
-    program_gyro_bias_model_response};
+    sizeof(struct mip_filter_gyro_bias_model_response) >= 8,
+    program_gyro_bias_model_response,
+    NULL};
 
 static const uint8_t program_auto_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -629,20 +700,20 @@ static const uint8_t program_auto_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E, MIP_COMMAND, 0, sizeof(struct mip_filter_auto_zupt), 0, program_auto_zupt};
+    0x0D, 0x1E,  MIP_COMMAND,       0,           sizeof(struct mip_filter_auto_zupt),
+    0,    false, program_auto_zupt, &mip_program};
 
-static bool asked_auto_zupt_1(const void *value) {
-    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_auto_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_auto_zupt[] = {
-    {&mip_filter_auto_zupt_response_codec, asked_auto_zupt_1},
-    {NULL, NULL},
+    {asked_auto_zupt_1, NULL, 0x8D},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec, NULL,
-                                                         responses_auto_zupt, 0};
+const struct mip_exchange mip_filter_auto_zupt_exchange = {0x0D, 0x1E, 0,
+                                                           true, NULL, responses_auto_zupt};
+
+const struct mip_command mip_filter_auto_zupt_command = {&mip_filter_auto_zupt_codec,
+                                                         &mip_filter_auto_zupt_exchange};
 
 static const uint8_t program_auto_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_zupt_response, enable)),
@@ -657,7 +728,9 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_zupt_response),
     0,
-    program_auto_zupt_response};
+    false,
+    program_auto_zupt_response,
+    NULL};
 
 static const uint8_t program_external_heading_update_with_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_external_heading_update_with_time, tow)),
@@ -674,10 +747,16 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     19,
     sizeof(struct mip_filter_external_heading_update_with_time),
     0,
-    program_external_heading_update_with_time};
+    false,
+    program_external_heading_update_with_time,
+    NULL};
+
+const struct mip_exchange mip_filter_external_heading_update_with_time_exchange = {
+    0x0D, 0x1F, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
-    &mip_filter_external_heading_update_with_time_codec, NULL, NULL, 0};
+    &mip_filter_external_heading_update_with_time_codec,
+    &mip_filter_external_heading_update_with_time_exchange};
 
 static const uint8_t program_auto_angular_zupt[] = {
     MIP_REQUIRED(1, 2),
@@ -695,21 +774,22 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_auto_angular_zupt),
     0,
-    program_auto_angular_zupt};
+    false,
+    program_auto_angular_zupt,
+    &mip_program};
 
-static bool asked_auto_angular_zupt_1(const void *value) {
-    const struct mip_filter_auto_angular_zupt *v =
-        (const struct mip_filter_auto_angular_zupt *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_auto_angular_zupt_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_auto_angular_zupt[] = {
-    {&mip_filter_auto_angular_zupt_response_codec, asked_auto_angular_zupt_1},
-    {NULL, NULL},
+    {asked_auto_angular_zupt_1, NULL, 0x8E},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_auto_angular_zupt_exchange = {
+    0x0D, 0x20, 0, true, NULL, responses_auto_angular_zupt};
+
 const struct mip_command mip_filter_auto_angular_zupt_command = {
-    &mip_filter_auto_angular_zupt_codec, NULL, responses_auto_angular_zupt, 0};
+    &mip_filter_auto_angular_zupt_codec, &mip_filter_auto_angular_zupt_exchange};
 
 static const uint8_t program_auto_angular_zupt_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_angular_zupt_response, enable)),
@@ -724,7 +804,9 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     5,
     sizeof(struct mip_filter_auto_angular_zupt_response),
     0,
-    program_auto_angular_zupt_response};
+    false,
+    program_auto_angular_zupt_response,
+    NULL};
 
 static const uint8_t program_tare_orientation[] = {
     MIP_REQUIRED(1, 1),
@@ -740,20 +822,22 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     0,
     sizeof(struct mip_filter_tare_orientation),
     0,
-    program_tare_orientation};
+    false,
+    program_tare_orientation,
+    &mip_program};
 
-static bool asked_tare_orientation_1(const void *value) {
-    const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_tare_orientation_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                   MIP_WHEN_END};
 static const struct mip_response responses_tare_orientation[] = {
-    {&mip_filter_tare_orientation_response_codec, asked_tare_orientation_1},
-    {NULL, NULL},
+    {asked_tare_orientation_1, NULL, 0xA1},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_tare_orientation_exchange = {
+    0x0D, 0x21, 0, true, NULL, responses_tare_orientation};
+
 const struct mip_command mip_filter_tare_orientation_command = {
-    &mip_filter_tare_orientation_codec, NULL, responses_tare_orientation, 0};
+    &mip_filter_tare_orientation_codec, &mip_filter_tare_orientation_exchange};
 
 static const uint8_t program_tare_orientation_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_tare_orientation_response, axes)),
@@ -767,7 +851,9 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     1,
     sizeof(struct mip_filter_tare_orientation_response),
     0,
-    program_tare_orientation_response};
+    sizeof(struct mip_filter_tare_orientation_response) >= 8,
+    program_tare_orientation_response,
+    NULL};
 
 static const uint8_t program_commanded_zupt[] = {
     MIP_END,
@@ -779,10 +865,14 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
                                                           0,
                                                           sizeof(struct mip_filter_commanded_zupt),
                                                           0,
-                                                          program_commanded_zupt};
+                                                          false,
+                                                          program_commanded_zupt,
+                                                          NULL};
+
+const struct mip_exchange mip_filter_commanded_zupt_exchange = {0x0D, 0x22, 0, false, NULL, NULL};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
-                                                              NULL, NULL, 0};
+                                                              &mip_filter_commanded_zupt_exchange};
 
 static const uint8_t program_commanded_angular_zupt[] = {
     MIP_END,
@@ -795,10 +885,15 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     0,
     sizeof(struct mip_filter_commanded_angular_zupt),
     0,
-    program_commanded_angular_zupt};
+    false,
+    program_commanded_angular_zupt,
+    NULL};
+
+const struct mip_exchange mip_filter_commanded_angular_zupt_exchange = {0x0D,  0x23, 0,
+                                                                        false, NULL, NULL};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
-    &mip_filter_commanded_angular_zupt_codec, NULL, NULL, 0};
+    &mip_filter_commanded_angular_zupt_codec, &mip_filter_commanded_angular_zupt_exchange};
 
 static const uint8_t program_reference_position[] = {
     MIP_REQUIRED(1, 4),
@@ -820,21 +915,22 @@ const struct mip_codec mip_filter_reference_position_codec = {
     0,
     sizeof(struct mip_filter_reference_position),
     0,
-    program_reference_position};
+    false,
+    program_reference_position,
+    &mip_program};
 
-static bool asked_reference_position_1(const void *value) {
-    const struct mip_filter_reference_position *v =
-        (const struct mip_filter_reference_position *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_reference_position_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                     MIP_WHEN_END};
 static const struct mip_response responses_reference_position[] = {
-    {&mip_filter_reference_position_response_codec, asked_reference_position_1},
-    {NULL, NULL},
+    {asked_reference_position_1, NULL, 0x90},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_reference_position_exchange = {
+    0x0D, 0x26, 0, true, NULL, responses_reference_position};
+
 const struct mip_command mip_filter_reference_position_command = {
-    &mip_filter_reference_position_codec, NULL, responses_reference_position, 0};
+    &mip_filter_reference_position_codec, &mip_filter_reference_position_exchange};
 
 static const uint8_t program_reference_position_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_position_response, enable)),
@@ -849,7 +945,9 @@ const struct mip_codec mip_filter_reference_position_response_codec = {
     25,
     sizeof(struct mip_filter_reference_position_response),
     0,
-    program_reference_position_response};
+    false,
+    program_reference_position_response,
+    NULL};
 
 static const uint8_t program_mag_capture_auto_calibration[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_capture_auto_calibration, function)),
@@ -863,10 +961,16 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     1,
     sizeof(struct mip_filter_mag_capture_auto_calibration),
     0,
-    program_mag_capture_auto_calibration};
+    sizeof(struct mip_filter_mag_capture_auto_calibration) >= 8,
+    program_mag_capture_auto_calibration,
+    NULL};
+
+const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange = {0x0D, 0x27, 0,
+                                                                              true, NULL, NULL};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
-    &mip_filter_mag_capture_auto_calibration_codec, NULL, NULL, 0};
+    &mip_filter_mag_capture_auto_calibration_codec,
+    &mip_filter_mag_capture_auto_calibration_exchange};
 
 static const uint8_t program_gravity_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -876,20 +980,21 @@ static const uint8_t program_gravity_noise[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28, MIP_COMMAND, 0, sizeof(struct mip_filter_gravity_noise), 0, program_gravity_noise};
+    0x0D, 0x28,  MIP_COMMAND,           0,           sizeof(struct mip_filter_gravity_noise),
+    0,    false, program_gravity_noise, &mip_program};
 
-static bool asked_gravity_noise_1(const void *value) {
-    const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gravity_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_gravity_noise[] = {
-    {&mip_filter_gravity_noise_response_codec, asked_gravity_noise_1},
-    {NULL, NULL},
+    {asked_gravity_noise_1, NULL, 0x93},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_gravity_noise_command = {&mip_filter_gravity_noise_codec, NULL,
-                                                             responses_gravity_noise, 0};
+const struct mip_exchange mip_filter_gravity_noise_exchange = {0x0D, 0x28, 0,
+                                                               true, NULL, responses_gravity_noise};
+
+const struct mip_command mip_filter_gravity_noise_command = {&mip_filter_gravity_noise_codec,
+                                                             &mip_filter_gravity_noise_exchange};
 
 static const uint8_t program_gravity_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gravity_noise_response, noise)),
@@ -903,7 +1008,9 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     12,
     sizeof(struct mip_filter_gravity_noise_response),
     0,
-    program_gravity_noise_response};
+    sizeof(struct mip_filter_gravity_noise_response) >= 8,
+    program_gravity_noise_response,
+    NULL};
 
 static const uint8_t program_pressure_altitude_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -919,21 +1026,22 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     0,
     sizeof(struct mip_filter_pressure_altitude_noise),
     0,
-    program_pressure_altitude_noise};
+    false,
+    program_pressure_altitude_noise,
+    &mip_program};
 
-static bool asked_pressure_altitude_noise_1(const void *value) {
-    const struct mip_filter_pressure_altitude_noise *v =
-        (const struct mip_filter_pressure_altitude_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_pressure_altitude_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                          MIP_WHEN_END};
 static const struct mip_response responses_pressure_altitude_noise[] = {
-    {&mip_filter_pressure_altitude_noise_response_codec, asked_pressure_altitude_noise_1},
-    {NULL, NULL},
+    {asked_pressure_altitude_noise_1, NULL, 0x94},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_pressure_altitude_noise_exchange = {
+    0x0D, 0x29, 0, true, NULL, responses_pressure_altitude_noise};
+
 const struct mip_command mip_filter_pressure_altitude_noise_command = {
-    &mip_filter_pressure_altitude_noise_codec, NULL, responses_pressure_altitude_noise, 0};
+    &mip_filter_pressure_altitude_noise_codec, &mip_filter_pressure_altitude_noise_exchange};
 
 static const uint8_t program_pressure_altitude_noise_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_pressure_altitude_noise_response, noise)),
@@ -947,7 +1055,9 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     4,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
     0,
-    program_pressure_altitude_noise_response};
+    sizeof(struct mip_filter_pressure_altitude_noise_response) >= 8,
+    program_pressure_altitude_noise_response,
+    NULL};
 
 static const uint8_t program_hard_iron_offset_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -963,21 +1073,22 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     0,
     sizeof(struct mip_filter_hard_iron_offset_noise),
     0,
-    program_hard_iron_offset_noise};
+    false,
+    program_hard_iron_offset_noise,
+    &mip_program};
 
-static bool asked_hard_iron_offset_noise_1(const void *value) {
-    const struct mip_filter_hard_iron_offset_noise *v =
-        (const struct mip_filter_hard_iron_offset_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_hard_iron_offset_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_hard_iron_offset_noise[] = {
-    {&mip_filter_hard_iron_offset_noise_response_codec, asked_hard_iron_offset_noise_1},
-    {NULL, NULL},
+    {asked_hard_iron_offset_noise_1, NULL, 0x96},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange = {
+    0x0D, 0x2B, 0, true, NULL, responses_hard_iron_offset_noise};
+
 const struct mip_command mip_filter_hard_iron_offset_noise_command = {
-    &mip_filter_hard_iron_offset_noise_codec, NULL, responses_hard_iron_offset_noise, 0};
+    &mip_filter_hard_iron_offset_noise_codec, &mip_filter_hard_iron_offset_noise_exchange};
 
 static const uint8_t program_hard_iron_offset_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_hard_iron_offset_noise_response, noise)),
@@ -991,7 +1102,9 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     12,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
     0,
-    program_hard_iron_offset_noise_response};
+    sizeof(struct mip_filter_hard_iron_offset_noise_response) >= 8,
+    program_hard_iron_offset_noise_response,
+    NULL};
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1007,21 +1120,22 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     0,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
     0,
-    program_soft_iron_matrix_noise};
+    false,
+    program_soft_iron_matrix_noise,
+    &mip_program};
 
-static bool asked_soft_iron_matrix_noise_1(const void *value) {
-    const struct mip_filter_soft_iron_matrix_noise *v =
-        (const struct mip_filter_soft_iron_matrix_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_soft_iron_matrix_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_soft_iron_matrix_noise[] = {
-    {&mip_filter_soft_iron_matrix_noise_response_codec, asked_soft_iron_matrix_noise_1},
-    {NULL, NULL},
+    {asked_soft_iron_matrix_noise_1, NULL, 0x97},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange = {
+    0x0D, 0x2C, 0, true, NULL, responses_soft_iron_matrix_noise};
+
 const struct mip_command mip_filter_soft_iron_matrix_noise_command = {
-    &mip_filter_soft_iron_matrix_noise_codec, NULL, responses_soft_iron_matrix_noise, 0};
+    &mip_filter_soft_iron_matrix_noise_codec, &mip_filter_soft_iron_matrix_noise_exchange};
 
 static const uint8_t program_soft_iron_matrix_noise_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_soft_iron_matrix_noise_response, noise)),
@@ -1035,7 +1149,9 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     36,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
     0,
-    program_soft_iron_matrix_noise_response};
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response) >= 8,
+    program_soft_iron_matrix_noise_response,
+    NULL};
 
 static const uint8_t program_enable_measurements[] = {
     MIP_REQUIRED(1, 1),
@@ -1051,21 +1167,22 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     0,
     sizeof(struct mip_filter_enable_measurements),
     0,
-    program_enable_measurements};
+    false,
+    program_enable_measurements,
+    &mip_program};
 
-static bool asked_enable_measurements_1(const void *value) {
-    const struct mip_filter_enable_measurements *v =
-        (const struct mip_filter_enable_measurements *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_enable_measurements_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                      MIP_WHEN_END};
 static const struct mip_response responses_enable_measurements[] = {
-    {&mip_filter_enable_measurements_response_codec, asked_enable_measurements_1},
-    {NULL, NULL},
+    {asked_enable_measurements_1, NULL, 0xB0},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_enable_measurements_exchange = {
+    0x0D, 0x41, 0, true, NULL, responses_enable_measurements};
+
 const struct mip_command mip_filter_enable_measurements_command = {
-    &mip_filter_enable_measurements_codec, NULL, responses_enable_measurements, 0};
+    &mip_filter_enable_measurements_codec, &mip_filter_enable_measurements_exchange};
 
 static const uint8_t program_enable_measurements_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_enable_measurements_response, control)),
@@ -1079,7 +1196,9 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     2,
     sizeof(struct mip_filter_enable_measurements_response),
     0,
-    program_enable_measurements_response};
+    sizeof(struct mip_filter_enable_measurements_response) >= 8,
+    program_enable_measurements_response,
+    NULL};
 
 static const uint8_t program_mag_noise[] = {
     MIP_REQUIRED(1, 1),
@@ -1089,20 +1208,20 @@ static const uint8_t program_mag_noise[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42, MIP_COMMAND, 0, sizeof(struct mip_filter_mag_noise), 0, program_mag_noise};
+    0x0D, 0x42,  MIP_COMMAND,       0,           sizeof(struct mip_filter_mag_noise),
+    0,    false, program_mag_noise, &mip_program};
 
-static bool asked_mag_noise_1(const void *value) {
-    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_mag_noise_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_mag_noise[] = {
-    {&mip_filter_mag_noise_response_codec, asked_mag_noise_1},
-    {NULL, NULL},
+    {asked_mag_noise_1, NULL, 0xB1},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec, NULL,
-                                                         responses_mag_noise, 0};
+const struct mip_exchange mip_filter_mag_noise_exchange = {0x0D, 0x42, 0,
+                                                           true, NULL, responses_mag_noise};
+
+const struct mip_command mip_filter_mag_noise_command = {&mip_filter_mag_noise_codec,
+                                                         &mip_filter_mag_noise_exchange};
 
 static const uint8_t program_mag_noise_response[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_mag_noise_response, noise)),
@@ -1116,7 +1235,9 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     12,
     sizeof(struct mip_filter_mag_noise_response),
     0,
-    program_mag_noise_response};
+    sizeof(struct mip_filter_mag_noise_response) >= 8,
+    program_mag_noise_response,
+    NULL};
 
 static const uint8_t program_magnetic_declination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1134,21 +1255,23 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_declination_source),
     0,
-    program_magnetic_declination_source};
+    false,
+    program_magnetic_declination_source,
+    &mip_program};
 
-static bool asked_magnetic_declination_source_1(const void *value) {
-    const struct mip_filter_magnetic_declination_source *v =
-        (const struct mip_filter_magnetic_declination_source *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_magnetic_declination_source_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_declination_source[] = {
-    {&mip_filter_magnetic_declination_source_response_codec, asked_magnetic_declination_source_1},
-    {NULL, NULL},
+    {asked_magnetic_declination_source_1, NULL, 0xB2},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_magnetic_declination_source_exchange = {
+    0x0D, 0x43, 0, true, NULL, responses_magnetic_declination_source};
+
 const struct mip_command mip_filter_magnetic_declination_source_command = {
-    &mip_filter_magnetic_declination_source_codec, NULL, responses_magnetic_declination_source, 0};
+    &mip_filter_magnetic_declination_source_codec,
+    &mip_filter_magnetic_declination_source_exchange};
 
 static const uint8_t program_magnetic_declination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_declination_source_response, source)),
@@ -1163,7 +1286,9 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_declination_source_response),
     0,
-    program_magnetic_declination_source_response};
+    false,
+    program_magnetic_declination_source_response,
+    NULL};
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 1),
@@ -1191,21 +1316,22 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_accel_magnitude_adaptive),
     0,
-    program_accel_magnitude_adaptive};
+    false,
+    program_accel_magnitude_adaptive,
+    &mip_program};
 
-static bool asked_accel_magnitude_adaptive_1(const void *value) {
-    const struct mip_filter_accel_magnitude_adaptive *v =
-        (const struct mip_filter_accel_magnitude_adaptive *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_accel_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                           MIP_WHEN_END};
 static const struct mip_response responses_accel_magnitude_adaptive[] = {
-    {&mip_filter_accel_magnitude_adaptive_response_codec, asked_accel_magnitude_adaptive_1},
-    {NULL, NULL},
+    {asked_accel_magnitude_adaptive_1, NULL, 0xB3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange = {
+    0x0D, 0x44, 0, true, NULL, responses_accel_magnitude_adaptive};
+
 const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
-    &mip_filter_accel_magnitude_adaptive_codec, NULL, responses_accel_magnitude_adaptive, 0};
+    &mip_filter_accel_magnitude_adaptive_codec, &mip_filter_accel_magnitude_adaptive_exchange};
 
 static const uint8_t program_accel_magnitude_adaptive_response[] = {
     MIP_8_BITS(1,
@@ -1221,7 +1347,9 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_accel_magnitude_adaptive_response),
     0,
-    program_accel_magnitude_adaptive_response};
+    false,
+    program_accel_magnitude_adaptive_response,
+    NULL};
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
     MIP_REQUIRED(1, 7),
@@ -1249,21 +1377,22 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_magnitude_adaptive),
     0,
-    program_mag_magnitude_adaptive};
+    false,
+    program_mag_magnitude_adaptive,
+    &mip_program};
 
-static bool asked_mag_magnitude_adaptive_1(const void *value) {
-    const struct mip_filter_mag_magnitude_adaptive *v =
-        (const struct mip_filter_mag_magnitude_adaptive *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_mag_magnitude_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_mag_magnitude_adaptive[] = {
-    {&mip_filter_mag_magnitude_adaptive_response_codec, asked_mag_magnitude_adaptive_1},
-    {NULL, NULL},
+    {asked_mag_magnitude_adaptive_1, NULL, 0xB4},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange = {
+    0x0D, 0x45, 0, true, NULL, responses_mag_magnitude_adaptive};
+
 const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
-    &mip_filter_mag_magnitude_adaptive_codec, NULL, responses_mag_magnitude_adaptive, 0};
+    &mip_filter_mag_magnitude_adaptive_codec, &mip_filter_mag_magnitude_adaptive_exchange};
 
 static const uint8_t program_mag_magnitude_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive_response, adaptive_measurement)),
@@ -1278,7 +1407,9 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     25,
     sizeof(struct mip_filter_mag_magnitude_adaptive_response),
     0,
-    program_mag_magnitude_adaptive_response};
+    false,
+    program_mag_magnitude_adaptive_response,
+    NULL};
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
     MIP_REQUIRED(1, 5),
@@ -1302,21 +1433,22 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     0,
     sizeof(struct mip_filter_mag_dip_angle_adaptive),
     0,
-    program_mag_dip_angle_adaptive};
+    false,
+    program_mag_dip_angle_adaptive,
+    &mip_program};
 
-static bool asked_mag_dip_angle_adaptive_1(const void *value) {
-    const struct mip_filter_mag_dip_angle_adaptive *v =
-        (const struct mip_filter_mag_dip_angle_adaptive *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_mag_dip_angle_adaptive_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                         MIP_WHEN_END};
 static const struct mip_response responses_mag_dip_angle_adaptive[] = {
-    {&mip_filter_mag_dip_angle_adaptive_response_codec, asked_mag_dip_angle_adaptive_1},
-    {NULL, NULL},
+    {asked_mag_dip_angle_adaptive_1, NULL, 0xB5},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange = {
+    0x0D, 0x46, 0, true, NULL, responses_mag_dip_angle_adaptive};
+
 const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
-    &mip_filter_mag_dip_angle_adaptive_codec, NULL, responses_mag_dip_angle_adaptive, 0};
+    &mip_filter_mag_dip_angle_adaptive_codec, &mip_filter_mag_dip_angle_adaptive_exchange};
 
 static const uint8_t program_mag_dip_angle_adaptive_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive_response, enable)),
@@ -1331,7 +1463,9 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     17,
     sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
     0,
-    program_mag_dip_angle_adaptive_response};
+    false,
+    program_mag_dip_angle_adaptive_response,
+    NULL};
 
 static const uint8_t program_altitude_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1347,20 +1481,22 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     0,
     sizeof(struct mip_filter_altitude_aiding),
     0,
-    program_altitude_aiding};
+    false,
+    program_altitude_aiding,
+    &mip_program};
 
-static bool asked_altitude_aiding_1(const void *value) {
-    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_altitude_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN_END};
 static const struct mip_response responses_altitude_aiding[] = {
-    {&mip_filter_altitude_aiding_response_codec, asked_altitude_aiding_1},
-    {NULL, NULL},
+    {asked_altitude_aiding_1, NULL, 0xB7},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_altitude_aiding_command = {&mip_filter_altitude_aiding_codec,
-                                                               NULL, responses_altitude_aiding, 0};
+const struct mip_exchange mip_filter_altitude_aiding_exchange = {
+    0x0D, 0x47, 0, true, NULL, responses_altitude_aiding};
+
+const struct mip_command mip_filter_altitude_aiding_command = {
+    &mip_filter_altitude_aiding_codec, &mip_filter_altitude_aiding_exchange};
 
 static const uint8_t program_altitude_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_altitude_aiding_response, selector)),
@@ -1374,7 +1510,9 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_altitude_aiding_response),
     0,
-    program_altitude_aiding_response};
+    sizeof(struct mip_filter_altitude_aiding_response) >= 8,
+    program_altitude_aiding_response,
+    NULL};
 
 static const uint8_t program_pitch_roll_aiding[] = {
     MIP_REQUIRED(1, 1),
@@ -1390,21 +1528,22 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     0,
     sizeof(struct mip_filter_pitch_roll_aiding),
     0,
-    program_pitch_roll_aiding};
+    false,
+    program_pitch_roll_aiding,
+    &mip_program};
 
-static bool asked_pitch_roll_aiding_1(const void *value) {
-    const struct mip_filter_pitch_roll_aiding *v =
-        (const struct mip_filter_pitch_roll_aiding *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_pitch_roll_aiding_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_pitch_roll_aiding[] = {
-    {&mip_filter_pitch_roll_aiding_response_codec, asked_pitch_roll_aiding_1},
-    {NULL, NULL},
+    {asked_pitch_roll_aiding_1, NULL, 0xBB},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_pitch_roll_aiding_exchange = {
+    0x0D, 0x4B, 0, true, NULL, responses_pitch_roll_aiding};
+
 const struct mip_command mip_filter_pitch_roll_aiding_command = {
-    &mip_filter_pitch_roll_aiding_codec, NULL, responses_pitch_roll_aiding, 0};
+    &mip_filter_pitch_roll_aiding_codec, &mip_filter_pitch_roll_aiding_exchange};
 
 static const uint8_t program_pitch_roll_aiding_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_pitch_roll_aiding_response, aiding)),
@@ -1418,7 +1557,9 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     1,
     sizeof(struct mip_filter_pitch_roll_aiding_response),
     0,
-    program_pitch_roll_aiding_response};
+    sizeof(struct mip_filter_pitch_roll_aiding_response) >= 8,
+    program_pitch_roll_aiding_response,
+    NULL};
 
 static const uint8_t program_magnetic_inclination_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1436,21 +1577,23 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_inclination_source),
     0,
-    program_magnetic_inclination_source};
+    false,
+    program_magnetic_inclination_source,
+    &mip_program};
 
-static bool asked_magnetic_inclination_source_1(const void *value) {
-    const struct mip_filter_magnetic_inclination_source *v =
-        (const struct mip_filter_magnetic_inclination_source *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_magnetic_inclination_source_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_magnetic_inclination_source[] = {
-    {&mip_filter_magnetic_inclination_source_response_codec, asked_magnetic_inclination_source_1},
-    {NULL, NULL},
+    {asked_magnetic_inclination_source_1, NULL, 0xBC},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_magnetic_inclination_source_exchange = {
+    0x0D, 0x4C, 0, true, NULL, responses_magnetic_inclination_source};
+
 const struct mip_command mip_filter_magnetic_inclination_source_command = {
-    &mip_filter_magnetic_inclination_source_codec, NULL, responses_magnetic_inclination_source, 0};
+    &mip_filter_magnetic_inclination_source_codec,
+    &mip_filter_magnetic_inclination_source_exchange};
 
 static const uint8_t program_magnetic_inclination_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_inclination_source_response, source)),
@@ -1465,7 +1608,9 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_inclination_source_response),
     0,
-    program_magnetic_inclination_source_response};
+    false,
+    program_magnetic_inclination_source_response,
+    NULL};
 
 static const uint8_t program_magnetic_magnitude_source[] = {
     MIP_REQUIRED(1, 2),
@@ -1483,21 +1628,22 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     0,
     sizeof(struct mip_filter_magnetic_magnitude_source),
     0,
-    program_magnetic_magnitude_source};
+    false,
+    program_magnetic_magnitude_source,
+    &mip_program};
 
-static bool asked_magnetic_magnitude_source_1(const void *value) {
-    const struct mip_filter_magnetic_magnitude_source *v =
-        (const struct mip_filter_magnetic_magnitude_source *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_magnetic_magnitude_source_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                            MIP_WHEN_END};
 static const struct mip_response responses_magnetic_magnitude_source[] = {
-    {&mip_filter_magnetic_magnitude_source_response_codec, asked_magnetic_magnitude_source_1},
-    {NULL, NULL},
+    {asked_magnetic_magnitude_source_1, NULL, 0xBD},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange = {
+    0x0D, 0x4D, 0, true, NULL, responses_magnetic_magnitude_source};
+
 const struct mip_command mip_filter_magnetic_magnitude_source_command = {
-    &mip_filter_magnetic_magnitude_source_codec, NULL, responses_magnetic_magnitude_source, 0};
+    &mip_filter_magnetic_magnitude_source_codec, &mip_filter_magnetic_magnitude_source_exchange};
 
 static const uint8_t program_magnetic_magnitude_source_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_magnitude_source_response, source)),
@@ -1512,7 +1658,9 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     5,
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
     0,
-    program_magnetic_magnitude_source_response};
+    false,
+    program_magnetic_magnitude_source_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(1, 1),
@@ -1528,21 +1676,22 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm),
     0,
-    program_sensor_to_vehicle_dcm};
+    false,
+    program_sensor_to_vehicle_dcm,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_dcm *v =
-        (const struct mip_filter_sensor_to_vehicle_dcm *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_dcm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
-    {&mip_filter_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_dcm_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_dcm_1, NULL, 0xBE},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange = {
+    0x0D, 0x4E, 0, true, NULL, responses_sensor_to_vehicle_dcm};
+
 const struct mip_command mip_filter_sensor_to_vehicle_dcm_command = {
-    &mip_filter_sensor_to_vehicle_dcm_codec, NULL, responses_sensor_to_vehicle_dcm, 0};
+    &mip_filter_sensor_to_vehicle_dcm_codec, &mip_filter_sensor_to_vehicle_dcm_exchange};
 
 static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm_response, dcm)),
@@ -1556,7 +1705,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
     36,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
     0,
-    program_sensor_to_vehicle_dcm_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response) >= 8,
+    program_sensor_to_vehicle_dcm_response,
+    NULL};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(1, 1),
@@ -1572,22 +1723,23 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
     0,
-    program_sensor_to_vehicle_quaternion};
+    false,
+    program_sensor_to_vehicle_quaternion,
+    &mip_program};
 
-static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_quaternion *v =
-        (const struct mip_filter_sensor_to_vehicle_quaternion *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_sensor_to_vehicle_quaternion_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
-    {&mip_filter_sensor_to_vehicle_quaternion_response_codec, asked_sensor_to_vehicle_quaternion_1},
-    {NULL, NULL},
+    {asked_sensor_to_vehicle_quaternion_1, NULL, 0xBF},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange = {
+    0x0D, 0x4F, 0, true, NULL, responses_sensor_to_vehicle_quaternion};
+
 const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
-    &mip_filter_sensor_to_vehicle_quaternion_codec, NULL, responses_sensor_to_vehicle_quaternion,
-    0};
+    &mip_filter_sensor_to_vehicle_quaternion_codec,
+    &mip_filter_sensor_to_vehicle_quaternion_exchange};
 
 static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion_response, q)),
@@ -1601,7 +1753,9 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = 
     16,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
     0,
-    program_sensor_to_vehicle_quaternion_response};
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response) >= 8,
+    program_sensor_to_vehicle_quaternion_response,
+    NULL};
 
 static const uint8_t program_aiding_measurement_enable[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1619,21 +1773,22 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     0,
     sizeof(struct mip_filter_aiding_measurement_enable),
     0,
-    program_aiding_measurement_enable};
+    false,
+    program_aiding_measurement_enable,
+    &mip_program};
 
-static bool asked_aiding_measurement_enable_1(const void *value) {
-    const struct mip_filter_aiding_measurement_enable *v =
-        (const struct mip_filter_aiding_measurement_enable *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_aiding_measurement_enable_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                            MIP_WHEN_END};
 static const struct mip_response responses_aiding_measurement_enable[] = {
-    {&mip_filter_aiding_measurement_enable_response_codec, asked_aiding_measurement_enable_1},
-    {NULL, NULL},
+    {asked_aiding_measurement_enable_1, NULL, 0xD0},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_aiding_measurement_enable_exchange = {
+    0x0D, 0x50, 0, true, NULL, responses_aiding_measurement_enable};
+
 const struct mip_command mip_filter_aiding_measurement_enable_command = {
-    &mip_filter_aiding_measurement_enable_codec, NULL, responses_aiding_measurement_enable, 0};
+    &mip_filter_aiding_measurement_enable_codec, &mip_filter_aiding_measurement_enable_exchange};
 
 static const uint8_t program_aiding_measurement_enable_response[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_filter_aiding_measurement_enable_response, aiding_source)),
@@ -1648,7 +1803,9 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     3,
     sizeof(struct mip_filter_aiding_measurement_enable_response),
     0,
-    program_aiding_measurement_enable_response};
+    sizeof(struct mip_filter_aiding_measurement_enable_response) >= 8,
+    program_aiding_measurement_enable_response,
+    NULL};
 
 static const uint8_t program_kinematic_constraint[] = {
     MIP_REQUIRED(1, 3),
@@ -1668,21 +1825,22 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     0,
     sizeof(struct mip_filter_kinematic_constraint),
     0,
-    program_kinematic_constraint};
+    false,
+    program_kinematic_constraint,
+    &mip_program};
 
-static bool asked_kinematic_constraint_1(const void *value) {
-    const struct mip_filter_kinematic_constraint *v =
-        (const struct mip_filter_kinematic_constraint *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_kinematic_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_kinematic_constraint[] = {
-    {&mip_filter_kinematic_constraint_response_codec, asked_kinematic_constraint_1},
-    {NULL, NULL},
+    {asked_kinematic_constraint_1, NULL, 0xD1},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_kinematic_constraint_exchange = {
+    0x0D, 0x51, 0, true, NULL, responses_kinematic_constraint};
+
 const struct mip_command mip_filter_kinematic_constraint_command = {
-    &mip_filter_kinematic_constraint_codec, NULL, responses_kinematic_constraint, 0};
+    &mip_filter_kinematic_constraint_codec, &mip_filter_kinematic_constraint_exchange};
 
 static const uint8_t program_kinematic_constraint_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_kinematic_constraint_response, accel_constraint)),
@@ -1696,7 +1854,9 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     3,
     sizeof(struct mip_filter_kinematic_constraint_response),
     0,
-    program_kinematic_constraint_response};
+    sizeof(struct mip_filter_kinematic_constraint_response) >= 8,
+    program_kinematic_constraint_response,
+    NULL};
 
 static const uint8_t program_initialization_config[] = {
     MIP_REQUIRED(1, 9),
@@ -1728,21 +1888,22 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     0,
     sizeof(struct mip_filter_initialization_config),
     0,
-    program_initialization_config};
+    false,
+    program_initialization_config,
+    &mip_program};
 
-static bool asked_initialization_config_1(const void *value) {
-    const struct mip_filter_initialization_config *v =
-        (const struct mip_filter_initialization_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_initialization_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_initialization_config[] = {
-    {&mip_filter_initialization_config_response_codec, asked_initialization_config_1},
-    {NULL, NULL},
+    {asked_initialization_config_1, NULL, 0xD2},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_initialization_config_exchange = {
+    0x0D, 0x52, 0, true, NULL, responses_initialization_config};
+
 const struct mip_command mip_filter_initialization_config_command = {
-    &mip_filter_initialization_config_codec, NULL, responses_initialization_config, 0};
+    &mip_filter_initialization_config_codec, &mip_filter_initialization_config_exchange};
 
 static const uint8_t program_initialization_config_response[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_filter_initialization_config_response, wait_for_run_command)),
@@ -1759,7 +1920,9 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     40,
     sizeof(struct mip_filter_initialization_config_response),
     0,
-    program_initialization_config_response};
+    false,
+    program_initialization_config_response,
+    NULL};
 
 static const uint8_t program_adaptive_filter_options[] = {
     MIP_REQUIRED(1, 2),
@@ -1777,21 +1940,22 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     0,
     sizeof(struct mip_filter_adaptive_filter_options),
     0,
-    program_adaptive_filter_options};
+    false,
+    program_adaptive_filter_options,
+    &mip_program};
 
-static bool asked_adaptive_filter_options_1(const void *value) {
-    const struct mip_filter_adaptive_filter_options *v =
-        (const struct mip_filter_adaptive_filter_options *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_adaptive_filter_options_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                          MIP_WHEN_END};
 static const struct mip_response responses_adaptive_filter_options[] = {
-    {&mip_filter_adaptive_filter_options_response_codec, asked_adaptive_filter_options_1},
-    {NULL, NULL},
+    {asked_adaptive_filter_options_1, NULL, 0xD3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_adaptive_filter_options_exchange = {
+    0x0D, 0x53, 0, true, NULL, responses_adaptive_filter_options};
+
 const struct mip_command mip_filter_adaptive_filter_options_command = {
-    &mip_filter_adaptive_filter_options_codec, NULL, responses_adaptive_filter_options, 0};
+    &mip_filter_adaptive_filter_options_codec, &mip_filter_adaptive_filter_options_exchange};
 
 static const uint8_t program_adaptive_filter_options_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_adaptive_filter_options_response, level)),
@@ -1806,7 +1970,9 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     3,
     sizeof(struct mip_filter_adaptive_filter_options_response),
     0,
-    program_adaptive_filter_options_response};
+    false,
+    program_adaptive_filter_options_response,
+    NULL};
 
 static const uint8_t program_multi_antenna_offset[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
@@ -1824,21 +1990,22 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     0,
     sizeof(struct mip_filter_multi_antenna_offset),
     0,
-    program_multi_antenna_offset};
+    false,
+    program_multi_antenna_offset,
+    &mip_program};
 
-static bool asked_multi_antenna_offset_1(const void *value) {
-    const struct mip_filter_multi_antenna_offset *v =
-        (const struct mip_filter_multi_antenna_offset *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_multi_antenna_offset_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                       MIP_WHEN_END};
 static const struct mip_response responses_multi_antenna_offset[] = {
-    {&mip_filter_multi_antenna_offset_response_codec, asked_multi_antenna_offset_1},
-    {NULL, NULL},
+    {asked_multi_antenna_offset_1, NULL, 0xD4},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_multi_antenna_offset_exchange = {
+    0x0D, 0x54, 0, true, NULL, responses_multi_antenna_offset};
+
 const struct mip_command mip_filter_multi_antenna_offset_command = {
-    &mip_filter_multi_antenna_offset_codec, NULL, responses_multi_antenna_offset, 0};
+    &mip_filter_multi_antenna_offset_codec, &mip_filter_multi_antenna_offset_exchange};
 
 static const uint8_t program_multi_antenna_offset_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_multi_antenna_offset_response, receiver_id)),
@@ -1853,7 +2020,9 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     13,
     sizeof(struct mip_filter_multi_antenna_offset_response),
     0,
-    program_multi_antenna_offset_response};
+    false,
+    program_multi_antenna_offset_response,
+    NULL};
 
 static const uint8_t program_relative_position_config[] = {
     MIP_REQUIRED(1, 3),
@@ -1873,21 +2042,22 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     0,
     sizeof(struct mip_filter_relative_position_config),
     0,
-    program_relative_position_config};
+    false,
+    program_relative_position_config,
+    &mip_program};
 
-static bool asked_relative_position_config_1(const void *value) {
-    const struct mip_filter_relative_position_config *v =
-        (const struct mip_filter_relative_position_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_relative_position_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                           MIP_WHEN_END};
 static const struct mip_response responses_relative_position_config[] = {
-    {&mip_filter_relative_position_config_response_codec, asked_relative_position_config_1},
-    {NULL, NULL},
+    {asked_relative_position_config_1, NULL, 0xD5},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_relative_position_config_exchange = {
+    0x0D, 0x55, 0, true, NULL, responses_relative_position_config};
+
 const struct mip_command mip_filter_relative_position_config_command = {
-    &mip_filter_relative_position_config_codec, NULL, responses_relative_position_config, 0};
+    &mip_filter_relative_position_config_codec, &mip_filter_relative_position_config_exchange};
 
 static const uint8_t program_relative_position_config_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_filter_relative_position_config_response, source)),
@@ -1903,7 +2073,9 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     26,
     sizeof(struct mip_filter_relative_position_config_response),
     0,
-    program_relative_position_config_response};
+    false,
+    program_relative_position_config_response,
+    NULL};
 
 static const uint8_t program_reference_point_lever_arm[] = {
     MIP_REQUIRED(1, 2),
@@ -1921,21 +2093,22 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_reference_point_lever_arm),
     0,
-    program_reference_point_lever_arm};
+    false,
+    program_reference_point_lever_arm,
+    &mip_program};
 
-static bool asked_reference_point_lever_arm_1(const void *value) {
-    const struct mip_filter_reference_point_lever_arm *v =
-        (const struct mip_filter_reference_point_lever_arm *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_reference_point_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                            MIP_WHEN_END};
 static const struct mip_response responses_reference_point_lever_arm[] = {
-    {&mip_filter_reference_point_lever_arm_response_codec, asked_reference_point_lever_arm_1},
-    {NULL, NULL},
+    {asked_reference_point_lever_arm_1, NULL, 0xD6},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_reference_point_lever_arm_exchange = {
+    0x0D, 0x56, 0, true, NULL, responses_reference_point_lever_arm};
+
 const struct mip_command mip_filter_reference_point_lever_arm_command = {
-    &mip_filter_reference_point_lever_arm_codec, NULL, responses_reference_point_lever_arm, 0};
+    &mip_filter_reference_point_lever_arm_codec, &mip_filter_reference_point_lever_arm_exchange};
 
 static const uint8_t program_reference_point_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_point_lever_arm_response, reference_point)),
@@ -1950,7 +2123,9 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
     0,
-    program_reference_point_lever_arm_response};
+    false,
+    program_reference_point_lever_arm_response,
+    NULL};
 
 static const uint8_t program_speed_measurement[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_measurement, source)),
@@ -1965,14 +2140,20 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     13,
     sizeof(struct mip_filter_speed_measurement),
     0,
-    program_speed_measurement};
+    false,
+    program_speed_measurement,
+    NULL};
+
+const struct mip_exchange mip_filter_speed_measurement_exchange = {0x0D,  0x60, 0,
+                                                                   false, NULL, NULL};
 
 const struct mip_command mip_filter_speed_measurement_command = {
-    &mip_filter_speed_measurement_codec, NULL, NULL, 0};
+    &mip_filter_speed_measurement_codec, &mip_filter_speed_measurement_exchange};
 
 static const uint8_t program_speed_lever_arm[] = {
     MIP_REQUIRED(5, 2, 1, 1, 1, 1),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm, source)),
     MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_speed_lever_arm, lever_arm_offset)),
@@ -1986,20 +2167,22 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
     0,
     sizeof(struct mip_filter_speed_lever_arm),
     0,
-    program_speed_lever_arm};
+    false,
+    program_speed_lever_arm,
+    &mip_program};
 
-static bool asked_speed_lever_arm_1(const void *value) {
-    const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_speed_lever_arm_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                  MIP_WHEN_END};
 static const struct mip_response responses_speed_lever_arm[] = {
-    {&mip_filter_speed_lever_arm_response_codec, asked_speed_lever_arm_1},
-    {NULL, NULL},
+    {asked_speed_lever_arm_1, NULL, 0xE1},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_filter_speed_lever_arm_command = {&mip_filter_speed_lever_arm_codec,
-                                                               NULL, responses_speed_lever_arm, 0};
+const struct mip_exchange mip_filter_speed_lever_arm_exchange = {
+    0x0D, 0x61, 0, true, NULL, responses_speed_lever_arm};
+
+const struct mip_command mip_filter_speed_lever_arm_command = {
+    &mip_filter_speed_lever_arm_codec, &mip_filter_speed_lever_arm_exchange};
 
 static const uint8_t program_speed_lever_arm_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm_response, source)),
@@ -2014,7 +2197,9 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     13,
     sizeof(struct mip_filter_speed_lever_arm_response),
     0,
-    program_speed_lever_arm_response};
+    false,
+    program_speed_lever_arm_response,
+    NULL};
 
 static const uint8_t program_vertical_gyro_constraint[] = {
     MIP_REQUIRED(1, 1),
@@ -2030,21 +2215,22 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
     0,
     sizeof(struct mip_filter_vertical_gyro_constraint),
     0,
-    program_vertical_gyro_constraint};
+    false,
+    program_vertical_gyro_constraint,
+    &mip_program};
 
-static bool asked_vertical_gyro_constraint_1(const void *value) {
-    const struct mip_filter_vertical_gyro_constraint *v =
-        (const struct mip_filter_vertical_gyro_constraint *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_vertical_gyro_constraint_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                           MIP_WHEN_END};
 static const struct mip_response responses_vertical_gyro_constraint[] = {
-    {&mip_filter_vertical_gyro_constraint_response_codec, asked_vertical_gyro_constraint_1},
-    {NULL, NULL},
+    {asked_vertical_gyro_constraint_1, NULL, 0xE2},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange = {
+    0x0D, 0x62, 0, true, NULL, responses_vertical_gyro_constraint};
+
 const struct mip_command mip_filter_vertical_gyro_constraint_command = {
-    &mip_filter_vertical_gyro_constraint_codec, NULL, responses_vertical_gyro_constraint, 0};
+    &mip_filter_vertical_gyro_constraint_codec, &mip_filter_vertical_gyro_constraint_exchange};
 
 static const uint8_t program_vertical_gyro_constraint_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_response, enable)),
@@ -2058,7 +2244,9 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
     1,
     sizeof(struct mip_filter_vertical_gyro_constraint_response),
     0,
-    program_vertical_gyro_constraint_response};
+    sizeof(struct mip_filter_vertical_gyro_constraint_response) >= 8,
+    program_vertical_gyro_constraint_response,
+    NULL};
 
 static const uint8_t program_wheeled_vehicle_constraint[] = {
     MIP_REQUIRED(1, 1),
@@ -2074,21 +2262,22 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
     0,
     sizeof(struct mip_filter_wheeled_vehicle_constraint),
     0,
-    program_wheeled_vehicle_constraint};
+    false,
+    program_wheeled_vehicle_constraint,
+    &mip_program};
 
-static bool asked_wheeled_vehicle_constraint_1(const void *value) {
-    const struct mip_filter_wheeled_vehicle_constraint *v =
-        (const struct mip_filter_wheeled_vehicle_constraint *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_wheeled_vehicle_constraint_1[] = {
+    MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_wheeled_vehicle_constraint[] = {
-    {&mip_filter_wheeled_vehicle_constraint_response_codec, asked_wheeled_vehicle_constraint_1},
-    {NULL, NULL},
+    {asked_wheeled_vehicle_constraint_1, NULL, 0xE3},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange = {
+    0x0D, 0x63, 0, true, NULL, responses_wheeled_vehicle_constraint};
+
 const struct mip_command mip_filter_wheeled_vehicle_constraint_command = {
-    &mip_filter_wheeled_vehicle_constraint_codec, NULL, responses_wheeled_vehicle_constraint, 0};
+    &mip_filter_wheeled_vehicle_constraint_codec, &mip_filter_wheeled_vehicle_constraint_exchange};
 
 static const uint8_t program_wheeled_vehicle_constraint_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_response, enable)),
@@ -2102,7 +2291,9 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
     1,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
     0,
-    program_wheeled_vehicle_constraint_response};
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_response) >= 8,
+    program_wheeled_vehicle_constraint_response,
+    NULL};
 
 static const uint8_t program_gnss_antenna_calibration[] = {
     MIP_REQUIRED(1, 2),
@@ -2120,21 +2311,22 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
     0,
     sizeof(struct mip_filter_gnss_antenna_calibration),
     0,
-    program_gnss_antenna_calibration};
+    false,
+    program_gnss_antenna_calibration,
+    &mip_program};
 
-static bool asked_gnss_antenna_calibration_1(const void *value) {
-    const struct mip_filter_gnss_antenna_calibration *v =
-        (const struct mip_filter_gnss_antenna_calibration *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_gnss_antenna_calibration_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                           MIP_WHEN_END};
 static const struct mip_response responses_gnss_antenna_calibration[] = {
-    {&mip_filter_gnss_antenna_calibration_response_codec, asked_gnss_antenna_calibration_1},
-    {NULL, NULL},
+    {asked_gnss_antenna_calibration_1, NULL, 0xE4},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange = {
+    0x0D, 0x64, 0, true, NULL, responses_gnss_antenna_calibration};
+
 const struct mip_command mip_filter_gnss_antenna_calibration_command = {
-    &mip_filter_gnss_antenna_calibration_codec, NULL, responses_gnss_antenna_calibration, 0};
+    &mip_filter_gnss_antenna_calibration_codec, &mip_filter_gnss_antenna_calibration_exchange};
 
 static const uint8_t program_gnss_antenna_calibration_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_response, enable)),
@@ -2149,4 +2341,6 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
     5,
     sizeof(struct mip_filter_gnss_antenna_calibration_response),
     0,
-    program_gnss_antenna_calibration_response};
+    false,
+    program_gnss_antenna_calibration_response,
+    NULL};

@@ -357,12 +357,12 @@ extern MIP_API const struct mip_codec mip_filter_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_filter_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reset_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
 
@@ -409,11 +409,12 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_decode(
     struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_attitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_attitude_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_attitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
 }
@@ -435,7 +436,7 @@ static inline mip_error mip_filter_set_initial_attitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_attitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x02, 12, &data);
@@ -504,11 +505,12 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_heading_decode(
     struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_heading_codec, 0x03, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_heading_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
 }
@@ -528,7 +530,7 @@ static inline mip_error mip_filter_set_initial_heading_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode_inline(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x03, 4, &data);
@@ -585,11 +587,12 @@ extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
     struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_set_initial_attitude_from_imu_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_set_initial_attitude_from_imu_codec, 0x04, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
 }
@@ -609,7 +612,7 @@ static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x04, 4, &data);
@@ -662,12 +665,12 @@ extern MIP_API const struct mip_codec mip_filter_run_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_filter_run_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_run_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
 
@@ -711,11 +714,12 @@ extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
     struct mip_filter_vehicle_dynamics_mode *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vehicle_dynamics_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_codec, 0x10, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
 }
@@ -788,11 +792,12 @@ extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
     struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vehicle_dynamics_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vehicle_dynamics_mode_response_codec, 0x80, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
 }
@@ -812,7 +817,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x80, 1, &data);
@@ -874,11 +879,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
     struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_euler_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_codec, 0x11, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
@@ -959,11 +965,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
     struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_euler_response_codec, 0x81, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
     const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, builder);
 }
@@ -985,7 +992,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
@@ -1040,11 +1047,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
     struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_codec, 0x12, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
 }
@@ -1119,11 +1127,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
     struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
 }
@@ -1145,7 +1154,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x82, 12, &data);
@@ -1204,11 +1213,11 @@ extern MIP_API const struct mip_codec mip_filter_antenna_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_antenna_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_antenna_offset_codec, 0x13, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_antenna_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
 }
@@ -1283,11 +1292,12 @@ extern MIP_API const struct mip_codec mip_filter_antenna_offset_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_response_decode(
     struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_antenna_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_antenna_offset_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_antenna_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
 }
@@ -1309,7 +1319,7 @@ static inline mip_error mip_filter_antenna_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_antenna_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode_inline(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x83, 12, &data);
@@ -1378,11 +1388,12 @@ extern MIP_API const struct mip_codec mip_filter_estimation_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_decode(
     struct mip_filter_estimation_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_estimation_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_estimation_control_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_estimation_control_encode(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
 }
@@ -1463,11 +1474,12 @@ extern MIP_API const struct mip_codec mip_filter_estimation_control_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_response_decode(
     struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_estimation_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_estimation_control_response_codec, 0x84, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_estimation_control_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
 }
@@ -1487,7 +1499,7 @@ static inline mip_error mip_filter_estimation_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_estimation_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode_inline(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x84, 2, &data);
@@ -1543,12 +1555,12 @@ extern MIP_API const struct mip_codec mip_filter_gnss_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_source_codec, 0x15, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
+    const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
 }
 /**
@@ -1619,11 +1631,12 @@ extern MIP_API const struct mip_codec mip_filter_gnss_source_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_response_decode(
     struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_source_response_codec, 0x86, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
 }
@@ -1643,7 +1656,7 @@ static inline mip_error mip_filter_gnss_source_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gnss_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inline(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x86, 1, &data);
@@ -1705,11 +1718,12 @@ extern MIP_API const struct mip_codec mip_filter_external_gnss_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_gnss_update_decode(
     struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_gnss_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_gnss_update_codec, 0x16, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_gnss_update_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
 }
@@ -1742,7 +1756,7 @@ static inline mip_error mip_filter_external_gnss_update_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_gnss_update_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode_inline(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x16, 70, &data);
@@ -1843,11 +1857,12 @@ extern MIP_API const struct mip_codec mip_filter_external_heading_update_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_decode(
     struct mip_filter_external_heading_update *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_heading_update_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_heading_update_codec, 0x17, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_heading_update_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
 }
@@ -1869,7 +1884,7 @@ static inline mip_error mip_filter_external_heading_update_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_heading_update_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode_inline(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x17, 9, &data);
@@ -1954,11 +1969,11 @@ extern MIP_API const struct mip_codec mip_filter_heading_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_heading_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_heading_source_codec, 0x18, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_heading_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
 }
@@ -2043,11 +2058,12 @@ extern MIP_API const struct mip_codec mip_filter_heading_source_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_response_decode(
     struct mip_filter_heading_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_heading_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_heading_source_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_heading_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
 }
@@ -2067,7 +2083,7 @@ static inline mip_error mip_filter_heading_source_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_heading_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode_inline(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x87, 1, &data);
@@ -2115,11 +2131,12 @@ extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_decode(
     struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_initialization_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_initialization_control_codec, 0x19, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_initialization_control_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
 }
@@ -2196,11 +2213,12 @@ extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_response_decode(
     struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_initialization_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_initialization_control_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_initialization_control_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
@@ -2221,7 +2239,7 @@ static inline mip_error mip_filter_auto_initialization_control_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2277,12 +2295,12 @@ extern MIP_API const struct mip_codec mip_filter_accel_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_noise_codec, 0x1A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
+    const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
 }
 /**
@@ -2353,11 +2371,12 @@ extern MIP_API const struct mip_codec mip_filter_accel_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_response_decode(
     struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_noise_response_codec, 0x89, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
 }
@@ -2379,7 +2398,7 @@ static inline mip_error mip_filter_accel_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode_inline(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x89, 12, &data);
@@ -2435,12 +2454,12 @@ extern MIP_API const struct mip_codec mip_filter_gyro_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_noise_codec, 0x1B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
+    const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
 }
 /**
@@ -2511,11 +2530,12 @@ extern MIP_API const struct mip_codec mip_filter_gyro_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_response_decode(
     struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_noise_response_codec, 0x8A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
 }
@@ -2537,7 +2557,7 @@ static inline mip_error mip_filter_gyro_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gyro_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode_inline(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8A, 12, &data);
@@ -2594,11 +2614,11 @@ extern MIP_API const struct mip_codec mip_filter_accel_bias_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_decode(
     struct mip_filter_accel_bias_model *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_bias_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_bias_model_codec, 0x1C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_bias_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
 }
@@ -2677,11 +2697,12 @@ extern MIP_API const struct mip_codec mip_filter_accel_bias_model_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_response_decode(
     struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_bias_model_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_bias_model_response_codec, 0x8B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_bias_model_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
 }
@@ -2706,7 +2727,7 @@ static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8B, 24, &data);
@@ -2767,11 +2788,11 @@ extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_bias_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_bias_model_codec, 0x1D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_bias_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
 }
@@ -2851,11 +2872,12 @@ extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_response_decode(
     struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gyro_bias_model_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gyro_bias_model_response_codec, 0x8C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gyro_bias_model_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
 }
@@ -2880,7 +2902,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8C, 24, &data);
@@ -2937,12 +2959,12 @@ extern MIP_API const struct mip_codec mip_filter_auto_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_zupt_codec, 0x1E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
 }
 /**
@@ -3017,11 +3039,12 @@ extern MIP_API const struct mip_codec mip_filter_auto_zupt_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_response_decode(
     struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_zupt_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_zupt_response_codec, 0x8D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_zupt_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
 }
@@ -3042,7 +3065,7 @@ static inline mip_error mip_filter_auto_zupt_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_zupt_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8D, 5, &data);
@@ -3107,11 +3130,12 @@ extern MIP_API const struct mip_codec mip_filter_external_heading_update_with_ti
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_with_time_decode(
     struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_external_heading_update_with_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_external_heading_update_with_time_codec, 0x1F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_external_heading_update_with_time_encode(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
 }
@@ -3135,7 +3159,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x1F, 19, &data);
@@ -3219,11 +3243,11 @@ extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_decode(
     struct mip_filter_auto_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_angular_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_angular_zupt_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_angular_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
 }
@@ -3300,11 +3324,12 @@ extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_response_decode(
     struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_auto_angular_zupt_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_auto_angular_zupt_response_codec, 0x8E, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_auto_angular_zupt_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
 }
@@ -3325,7 +3350,7 @@ static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8E, 5, &data);
@@ -3380,11 +3405,11 @@ extern MIP_API const struct mip_codec mip_filter_tare_orientation_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_decode(
     struct mip_filter_tare_orientation *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_tare_orientation_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_tare_orientation_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_tare_orientation_encode(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
 }
@@ -3457,11 +3482,12 @@ extern MIP_API const struct mip_codec mip_filter_tare_orientation_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_response_decode(
     struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_tare_orientation_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_tare_orientation_response_codec, 0xA1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_tare_orientation_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
 }
@@ -3481,7 +3507,7 @@ static inline mip_error mip_filter_tare_orientation_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_tare_orientation_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode_inline(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xA1, 1, &data);
@@ -3523,11 +3549,11 @@ extern MIP_API const struct mip_codec mip_filter_commanded_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_commanded_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_commanded_zupt_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_commanded_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
@@ -3563,11 +3589,12 @@ extern MIP_API const struct mip_codec mip_filter_commanded_angular_zupt_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_angular_zupt_decode(
     struct mip_filter_commanded_angular_zupt *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_commanded_angular_zupt_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_commanded_angular_zupt_codec, 0x23, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_commanded_angular_zupt_encode(
+MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
@@ -3624,11 +3651,12 @@ extern MIP_API const struct mip_codec mip_filter_reference_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_decode(
     struct mip_filter_reference_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_position_codec, 0x26, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
 }
@@ -3718,11 +3746,12 @@ extern MIP_API const struct mip_codec mip_filter_reference_position_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_response_decode(
     struct mip_filter_reference_position_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_position_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_position_response_codec, 0x90, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_position_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
 }
@@ -3745,7 +3774,7 @@ static inline mip_error mip_filter_reference_position_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_reference_position_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode_inline(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x90, 25, &data);
@@ -3793,11 +3822,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_capture_auto_calibration_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
     struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_capture_auto_calibration_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_capture_auto_calibration_codec, 0x27, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
 }
@@ -3817,7 +3847,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x27, 1, &data);
@@ -3887,11 +3917,11 @@ extern MIP_API const struct mip_codec mip_filter_gravity_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_filter_gravity_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gravity_noise_codec, 0x28, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gravity_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
 }
@@ -3963,11 +3993,12 @@ extern MIP_API const struct mip_codec mip_filter_gravity_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_response_decode(
     struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gravity_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gravity_noise_response_codec, 0x93, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gravity_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
 }
@@ -3989,7 +4020,7 @@ static inline mip_error mip_filter_gravity_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gravity_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inline(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x93, 12, &data);
@@ -4042,11 +4073,12 @@ extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_decode(
     struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pressure_altitude_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pressure_altitude_noise_codec, 0x29, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pressure_altitude_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
 }
@@ -4117,11 +4149,12 @@ extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
     struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pressure_altitude_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pressure_altitude_noise_response_codec, 0x94, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
 }
@@ -4141,7 +4174,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x94, 4, &data);
@@ -4192,11 +4225,12 @@ extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_decode(
     struct mip_filter_hard_iron_offset_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_hard_iron_offset_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_hard_iron_offset_noise_codec, 0x2B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_hard_iron_offset_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
 }
@@ -4268,11 +4302,12 @@ extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
     struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_hard_iron_offset_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_hard_iron_offset_noise_response_codec, 0x96, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
 }
@@ -4294,7 +4329,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x96, 12, &data);
@@ -4347,11 +4382,12 @@ extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
     struct mip_filter_soft_iron_matrix_noise *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_soft_iron_matrix_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
 }
@@ -4426,11 +4462,12 @@ extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
     struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_soft_iron_matrix_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_soft_iron_matrix_noise_response_codec, 0x97, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
 }
@@ -4452,7 +4489,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x97, 36, &data);
@@ -4506,11 +4543,12 @@ extern MIP_API const struct mip_codec mip_filter_enable_measurements_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_decode(
     struct mip_filter_enable_measurements *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_enable_measurements_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_enable_measurements_codec, 0x41, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_enable_measurements_encode(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
 }
@@ -4581,11 +4619,12 @@ extern MIP_API const struct mip_codec mip_filter_enable_measurements_response_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_response_decode(
     struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_enable_measurements_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_enable_measurements_response_codec, 0xB0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_enable_measurements_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
 }
@@ -4605,7 +4644,7 @@ static inline mip_error mip_filter_enable_measurements_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_enable_measurements_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode_inline(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB0, 2, &data);
@@ -4657,12 +4696,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_noise_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_noise_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_noise_codec, 0x42, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
 }
 /**
@@ -4732,11 +4771,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_noise_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_response_decode(
     struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_noise_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_noise_response_codec, 0xB1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_noise_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
 }
@@ -4758,7 +4798,7 @@ static inline mip_error mip_filter_mag_noise_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_noise_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode_inline(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB1, 12, &data);
@@ -4825,11 +4865,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_decode(
     struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_declination_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_declination_source_codec, 0x43, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_declination_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
 }
@@ -4923,11 +4964,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_response_decode(
     struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_declination_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_declination_source_response_codec, 0xB2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_declination_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
@@ -4949,7 +4991,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -5042,11 +5084,12 @@ extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
     struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_codec, 0x44, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
@@ -5136,11 +5179,12 @@ extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
     struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_accel_magnitude_adaptive_response_codec, 0xB3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
 }
@@ -5166,7 +5210,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB3, 25, &data);
@@ -5266,11 +5310,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
     struct mip_filter_mag_magnitude_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_codec, 0x45, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
@@ -5402,11 +5447,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
     struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_magnitude_adaptive_response_codec, 0xB4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
 }
@@ -5432,7 +5478,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB4, 25, &data);
@@ -5512,11 +5558,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
     struct mip_filter_mag_dip_angle_adaptive *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_adaptive_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_codec, 0x46, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
@@ -5620,11 +5667,12 @@ extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_response
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
     struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_response_codec, 0xB5, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
 }
@@ -5648,7 +5696,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB5, 17, &data);
@@ -5705,11 +5753,11 @@ extern MIP_API const struct mip_codec mip_filter_altitude_aiding_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_altitude_aiding_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_altitude_aiding_codec, 0x47, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_altitude_aiding_encode(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
 }
@@ -5781,11 +5829,12 @@ extern MIP_API const struct mip_codec mip_filter_altitude_aiding_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_response_decode(
     struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_altitude_aiding_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_altitude_aiding_response_codec, 0xB7, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_altitude_aiding_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
 }
@@ -5805,7 +5854,7 @@ static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB7, 1, &data);
@@ -5857,11 +5906,11 @@ extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_decode(
     struct mip_filter_pitch_roll_aiding *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pitch_roll_aiding_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pitch_roll_aiding_codec, 0x4B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pitch_roll_aiding_encode(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
 }
@@ -5932,11 +5981,12 @@ extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
     struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_pitch_roll_aiding_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_pitch_roll_aiding_response_codec, 0xBB, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
 }
@@ -5956,7 +6006,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBB, 1, &data);
@@ -6016,11 +6066,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_decode(
     struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_inclination_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_inclination_source_codec, 0x4C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_inclination_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
 }
@@ -6109,11 +6160,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_res
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
     struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_inclination_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_inclination_source_response_codec, 0xBC, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
@@ -6135,7 +6187,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6198,11 +6250,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_decode(
     struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_magnitude_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_magnitude_source_codec, 0x4D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_magnitude_source_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
 }
@@ -6287,11 +6340,12 @@ extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
     struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_magnetic_magnitude_source_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_magnetic_magnitude_source_response_codec, 0xBD, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
@@ -6313,7 +6367,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6377,11 +6431,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
     struct mip_filter_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_codec, 0x4E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
@@ -6458,11 +6513,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
     struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_dcm_response_codec, 0xBE, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
     const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
@@ -6484,7 +6540,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
@@ -6546,11 +6602,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
     struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_codec, 0x4F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
@@ -6632,11 +6689,12 @@ extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_re
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
     struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_response_codec, 0xBF, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
@@ -6659,7 +6717,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6726,11 +6784,12 @@ extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_decode(
     struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_aiding_measurement_enable_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_aiding_measurement_enable_codec, 0x50, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_aiding_measurement_enable_encode(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
 }
@@ -6896,11 +6955,12 @@ extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
     struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_aiding_measurement_enable_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_aiding_measurement_enable_response_codec, 0xD0, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
@@ -6922,7 +6982,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -6987,11 +7047,12 @@ extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_decode(
     struct mip_filter_kinematic_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_kinematic_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_kinematic_constraint_codec, 0x51, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_kinematic_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
 }
@@ -7085,11 +7146,12 @@ extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_response_decode(
     struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_kinematic_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_kinematic_constraint_response_codec, 0xD1, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_kinematic_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
 }
@@ -7111,7 +7173,7 @@ static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD1, 3, &data);
@@ -7211,11 +7273,12 @@ extern MIP_API const struct mip_codec mip_filter_initialization_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_decode(
     struct mip_filter_initialization_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_initialization_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_initialization_config_codec, 0x52, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_initialization_config_encode(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
 }
@@ -7352,11 +7415,12 @@ extern MIP_API const struct mip_codec mip_filter_initialization_config_response_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_response_decode(
     struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_initialization_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_initialization_config_response_codec, 0xD2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_initialization_config_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
 }
@@ -7388,7 +7452,7 @@ static inline mip_error mip_filter_initialization_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_initialization_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode_inline(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD2, 40, &data);
@@ -7456,11 +7520,12 @@ extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_decode(
     struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_adaptive_filter_options_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_adaptive_filter_options_codec, 0x53, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_adaptive_filter_options_encode(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
 }
@@ -7538,11 +7603,12 @@ extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_response_decode(
     struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_adaptive_filter_options_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_adaptive_filter_options_response_codec, 0xD3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_adaptive_filter_options_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
 }
@@ -7563,7 +7629,7 @@ static inline mip_error mip_filter_adaptive_filter_options_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD3, 3, &data);
@@ -7619,11 +7685,12 @@ extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_decode(
     struct mip_filter_multi_antenna_offset *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_multi_antenna_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_multi_antenna_offset_codec, 0x54, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_multi_antenna_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
 }
@@ -7722,11 +7789,12 @@ extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_response_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_response_decode(
     struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_multi_antenna_offset_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_multi_antenna_offset_response_codec, 0xD4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_multi_antenna_offset_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
 }
@@ -7749,7 +7817,7 @@ static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD4, 13, &data);
@@ -7811,11 +7879,12 @@ extern MIP_API const struct mip_codec mip_filter_relative_position_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_decode(
     struct mip_filter_relative_position_config *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_relative_position_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_relative_position_config_codec, 0x55, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_relative_position_config_encode(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
 }
@@ -7908,11 +7977,12 @@ extern MIP_API const struct mip_codec mip_filter_relative_position_config_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_response_decode(
     struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_relative_position_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_relative_position_config_response_codec, 0xD5, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_relative_position_config_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
 }
@@ -7936,7 +8006,7 @@ static inline mip_error mip_filter_relative_position_config_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_relative_position_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode_inline(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD5, 26, &data);
@@ -7997,11 +8067,12 @@ extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_decode(
     struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_point_lever_arm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_point_lever_arm_codec, 0x56, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_point_lever_arm_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
 }
@@ -8084,11 +8155,12 @@ extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_respo
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
     struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_reference_point_lever_arm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_reference_point_lever_arm_response_codec, 0xD6, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
@@ -8112,7 +8184,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -8168,11 +8240,11 @@ extern MIP_API const struct mip_codec mip_filter_speed_measurement_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_measurement_decode(
     struct mip_filter_speed_measurement *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_measurement_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_measurement_codec, 0x60, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_measurement_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
 }
@@ -8195,7 +8267,7 @@ static inline mip_error mip_filter_speed_measurement_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_speed_measurement_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode_inline(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x60, 13, &data);
@@ -8269,11 +8341,11 @@ extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_lever_arm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_lever_arm_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_lever_arm_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
 }
@@ -8351,11 +8423,12 @@ extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_response_decode(
     struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_speed_lever_arm_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_speed_lever_arm_response_codec, 0xE1, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_speed_lever_arm_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
 }
@@ -8378,7 +8451,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE1, 13, &data);
@@ -8434,11 +8507,12 @@ extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_decode(
     struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
@@ -8511,11 +8585,12 @@ extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_response_decode(
     struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_vertical_gyro_constraint_response_codec, 0xE2, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
     const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_response_codec, value, builder);
 }
@@ -8535,7 +8610,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
     const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
@@ -8588,11 +8663,12 @@ extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
     struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_codec, 0x63, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
@@ -8667,11 +8743,12 @@ extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_resp
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
     struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_response_codec, 0xE3, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
     const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, builder);
@@ -8692,7 +8769,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
     const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -8750,11 +8827,12 @@ extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_decode(
     struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_codec, 0x64, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
@@ -8834,11 +8912,12 @@ extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_respon
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_response_decode(
     struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_gnss_antenna_calibration_response_codec, 0xE4, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
     const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_response_codec, value, builder);
 }
@@ -8859,7 +8938,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
     const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_reset_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Reset navigation
@@ -32,11 +34,13 @@ static inline mip_error mip_send_filter_reset(struct mip_client *client,
 
 /** Reset navigation filter. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reset(struct mip_device *device) {
-    return mip_device_call(device, &mip_filter_reset_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_filter_reset_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial attitude.
@@ -61,10 +65,11 @@ static inline mip_error mip_send_filter_set_initial_attitude(
 static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
                                                                      float roll, float pitch,
                                                                      float heading) {
-    struct mip_filter_set_initial_attitude command;
-    return mip_device_call(device, &mip_filter_set_initial_attitude_command,
-                           mip_filter_set_initial_attitude_make(&command, roll, pitch, heading),
-                           NULL, NULL);
+    uint8_t data[12];
+    mip_put_float(data, &roll);
+    mip_put_float(data + 4, &pitch);
+    mip_put_float(data + 8, &heading);
+    return mip_device_send(device, &mip_filter_set_initial_attitude_exchange, data, 12, NULL, NULL);
 }
 
 /**
@@ -78,6 +83,8 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_set_initial_heading_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial heading.
@@ -97,9 +104,9 @@ static inline mip_error mip_send_filter_set_initial_heading(
  */
 static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
                                                                     float heading) {
-    struct mip_filter_set_initial_heading command;
-    return mip_device_call(device, &mip_filter_set_initial_heading_command,
-                           mip_filter_set_initial_heading_make(&command, heading), NULL, NULL);
+    uint8_t data[4];
+    mip_put_float(data, &heading);
+    return mip_device_send(device, &mip_filter_set_initial_heading_exchange, data, 4, NULL, NULL);
 }
 
 /**
@@ -113,6 +120,8 @@ static inline struct mip_result mip_call_filter_set_initial_heading_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial attitude
@@ -133,9 +142,9 @@ static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
  */
 static inline struct mip_result
 mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float declination) {
-    struct mip_filter_set_initial_attitude_from_imu command;
-    return mip_device_call(device, &mip_filter_set_initial_attitude_from_imu_command,
-                           mip_filter_set_initial_attitude_from_imu_make(&command, declination),
+    uint8_t data[4];
+    mip_put_float(data, &declination);
+    return mip_device_send(device, &mip_filter_set_initial_attitude_from_imu_exchange, data, 4,
                            NULL, NULL);
 }
 
@@ -151,6 +160,8 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_from_imu_wi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_run_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_run_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Run navigation
@@ -163,11 +174,13 @@ static inline mip_error mip_send_filter_run(struct mip_client *client, struct mi
 
 /** Run navigation filter. See mip_device_call. */
 static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
-    return mip_device_call(device, &mip_filter_run_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_filter_run_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vehicle dynamics
@@ -191,17 +204,18 @@ static inline mip_error mip_send_filter_vehicle_dynamics_mode(
  */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
     struct mip_device *device, enum mip_filter_dynamics_mode mode) {
-    struct mip_filter_vehicle_dynamics_mode command;
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
-                           mip_filter_vehicle_dynamics_mode_write(&command, mode), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)mode);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 2, NULL, NULL);
 }
 
 /** Vehicle dynamics mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
     struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
-    struct mip_filter_vehicle_dynamics_mode command;
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
-                           mip_filter_vehicle_dynamics_mode_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1,
                            &mip_filter_vehicle_dynamics_mode_response_codec, response);
 }
 
@@ -211,25 +225,25 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
  */
 static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_save(struct mip_device *device) {
-    struct mip_filter_vehicle_dynamics_mode command;
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
-                           mip_filter_vehicle_dynamics_mode_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** Vehicle dynamics mode: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_load(struct mip_device *device) {
-    struct mip_filter_vehicle_dynamics_mode command;
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
-                           mip_filter_vehicle_dynamics_mode_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** Vehicle dynamics mode: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
-    struct mip_filter_vehicle_dynamics_mode command;
-    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
-                           mip_filter_vehicle_dynamics_mode_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_vehicle_dynamics_mode_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -245,6 +259,8 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_euler_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
@@ -269,10 +285,13 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
-    struct mip_filter_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
-                           mip_filter_sensor_to_vehicle_euler_write(&command, roll, pitch, yaw),
-                           NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_float(data + 1, &roll);
+    mip_put_float(data + 5, &pitch);
+    mip_put_float(data + 9, &yaw);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 13, NULL,
+                           NULL);
 }
 
 /**
@@ -281,9 +300,9 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_euler_response *response) {
-    struct mip_filter_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
-                           mip_filter_sensor_to_vehicle_euler_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1,
                            &mip_filter_sensor_to_vehicle_euler_response_codec, response);
 }
 
@@ -293,17 +312,19 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_euler_save(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
-                           mip_filter_sensor_to_vehicle_euler_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Sensor to vehicle frame transformation: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_euler_load(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
-                           mip_filter_sensor_to_vehicle_euler_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -312,9 +333,10 @@ mip_call_filter_sensor_to_vehicle_euler_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_euler_default(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_euler command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
-                           mip_filter_sensor_to_vehicle_euler_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_euler_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -330,6 +352,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
@@ -352,9 +376,13 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const float offset[3]) {
-    struct mip_filter_sensor_to_vehicle_offset command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
-                           mip_filter_sensor_to_vehicle_offset_write(&command, offset), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &offset[i]);
+    }
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 13, NULL,
+                           NULL);
 }
 
 /**
@@ -362,9 +390,9 @@ mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const 
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
-    struct mip_filter_sensor_to_vehicle_offset command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
-                           mip_filter_sensor_to_vehicle_offset_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1,
                            &mip_filter_sensor_to_vehicle_offset_response_codec, response);
 }
 
@@ -374,25 +402,28 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_save(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_offset command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
-                           mip_filter_sensor_to_vehicle_offset_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Sensor to vehicle offset: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_load(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_offset command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
-                           mip_filter_sensor_to_vehicle_offset_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Sensor to vehicle offset: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_offset command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
-                           mip_filter_sensor_to_vehicle_offset_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_offset_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -408,6 +439,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_antenna_offset_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset.
@@ -430,17 +463,20 @@ static inline mip_error mip_send_filter_antenna_offset(
  */
 static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
                                                                      const float offset[3]) {
-    struct mip_filter_antenna_offset command;
-    return mip_device_call(device, &mip_filter_antenna_offset_command,
-                           mip_filter_antenna_offset_write(&command, offset), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &offset[i]);
+    }
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 13, NULL, NULL);
 }
 
 /** GNSS antenna offset: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_read(
     struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
-    struct mip_filter_antenna_offset command;
-    return mip_device_call(device, &mip_filter_antenna_offset_command,
-                           mip_filter_antenna_offset_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1,
                            &mip_filter_antenna_offset_response_codec, response);
 }
 
@@ -448,23 +484,23 @@ static inline struct mip_result mip_call_filter_antenna_offset_read(
  * GNSS antenna offset: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_save(struct mip_device *device) {
-    struct mip_filter_antenna_offset command;
-    return mip_device_call(device, &mip_filter_antenna_offset_command,
-                           mip_filter_antenna_offset_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS antenna offset: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_load(struct mip_device *device) {
-    struct mip_filter_antenna_offset command;
-    return mip_device_call(device, &mip_filter_antenna_offset_command,
-                           mip_filter_antenna_offset_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS antenna offset: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_default(struct mip_device *device) {
-    struct mip_filter_antenna_offset command;
-    return mip_device_call(device, &mip_filter_antenna_offset_command,
-                           mip_filter_antenna_offset_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_antenna_offset_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -480,6 +516,8 @@ static inline struct mip_result mip_call_filter_antenna_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_estimation_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_estimation_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation control
@@ -511,9 +549,10 @@ static inline mip_error mip_send_filter_estimation_control(
  */
 static inline struct mip_result mip_call_filter_estimation_control_write(
     struct mip_device *device, mip_filter_estimated_states flags) {
-    struct mip_filter_estimation_control command;
-    return mip_device_call(device, &mip_filter_estimation_control_command,
-                           mip_filter_estimation_control_write(&command, flags), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_16(data + 1, (uint16_t)flags);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -521,9 +560,9 @@ static inline struct mip_result mip_call_filter_estimation_control_write(
  */
 static inline struct mip_result mip_call_filter_estimation_control_read(
     struct mip_device *device, struct mip_filter_estimation_control_response *response) {
-    struct mip_filter_estimation_control command;
-    return mip_device_call(device, &mip_filter_estimation_control_command,
-                           mip_filter_estimation_control_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1,
                            &mip_filter_estimation_control_response_codec, response);
 }
 
@@ -532,24 +571,24 @@ static inline struct mip_result mip_call_filter_estimation_control_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_estimation_control_save(struct mip_device *device) {
-    struct mip_filter_estimation_control command;
-    return mip_device_call(device, &mip_filter_estimation_control_command,
-                           mip_filter_estimation_control_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
 }
 
 /** Estimation control flags: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_estimation_control_load(struct mip_device *device) {
-    struct mip_filter_estimation_control command;
-    return mip_device_call(device, &mip_filter_estimation_control_command,
-                           mip_filter_estimation_control_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
 }
 
 /** Estimation control flags: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_estimation_control_default(struct mip_device *device) {
-    struct mip_filter_estimation_control command;
-    return mip_device_call(device, &mip_filter_estimation_control_command,
-                           mip_filter_estimation_control_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_estimation_control_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -565,6 +604,8 @@ static inline struct mip_result mip_call_filter_estimation_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_source_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_gnss_source_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS aiding source.
@@ -587,17 +628,18 @@ static inline mip_error mip_send_filter_gnss_source(
  */
 static inline struct mip_result mip_call_filter_gnss_source_write(
     struct mip_device *device, enum mip_filter_gnss_aiding_source source) {
-    struct mip_filter_gnss_source command;
-    return mip_device_call(device, &mip_filter_gnss_source_command,
-                           mip_filter_gnss_source_write(&command, source), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 2, NULL, NULL);
 }
 
 /** GNSS aiding source: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_read(
     struct mip_device *device, struct mip_filter_gnss_source_response *response) {
-    struct mip_filter_gnss_source command;
-    return mip_device_call(device, &mip_filter_gnss_source_command,
-                           mip_filter_gnss_source_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1,
                            &mip_filter_gnss_source_response_codec, response);
 }
 
@@ -605,23 +647,23 @@ static inline struct mip_result mip_call_filter_gnss_source_read(
  * GNSS aiding source: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_source_save(struct mip_device *device) {
-    struct mip_filter_gnss_source command;
-    return mip_device_call(device, &mip_filter_gnss_source_command,
-                           mip_filter_gnss_source_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS aiding source: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_load(struct mip_device *device) {
-    struct mip_filter_gnss_source command;
-    return mip_device_call(device, &mip_filter_gnss_source_command,
-                           mip_filter_gnss_source_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
 }
 
 /** GNSS aiding source: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_device *device) {
-    struct mip_filter_gnss_source command;
-    return mip_device_call(device, &mip_filter_gnss_source_command,
-                           mip_filter_gnss_source_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_gnss_source_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -637,6 +679,8 @@ static inline struct mip_result mip_call_filter_gnss_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_external_gnss_update_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. External GNSS update.
@@ -666,12 +710,22 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
     struct mip_device *device, double tow, uint16_t week_number, double latitude, double longitude,
     double height, const float velocity[3], const float position_uncertainty[3],
     const float velocity_uncertainty[3]) {
-    struct mip_filter_external_gnss_update command;
-    return mip_device_call(device, &mip_filter_external_gnss_update_command,
-                           mip_filter_external_gnss_update_make(
-                               &command, tow, week_number, latitude, longitude, height, velocity,
-                               position_uncertainty, velocity_uncertainty),
-                           NULL, NULL);
+    uint8_t data[70];
+    mip_put_double(data, &tow);
+    mip_put_16(data + 8, (uint16_t)week_number);
+    mip_put_double(data + 10, &latitude);
+    mip_put_double(data + 18, &longitude);
+    mip_put_double(data + 26, &height);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 46 + 4 * i, &position_uncertainty[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 34 + 4 * i, &velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 58 + 4 * i, &velocity_uncertainty[i]);
+    }
+    return mip_device_send(device, &mip_filter_external_gnss_update_exchange, data, 70, NULL, NULL);
 }
 
 /**
@@ -685,6 +739,8 @@ static inline struct mip_result mip_call_filter_external_gnss_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_external_heading_update_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. External heading
@@ -709,11 +765,12 @@ static inline mip_error mip_send_filter_external_heading_update(
 static inline struct mip_result mip_call_filter_external_heading_update(
     struct mip_device *device, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
-    struct mip_filter_external_heading_update command;
-    return mip_device_call(
-        device, &mip_filter_external_heading_update_command,
-        mip_filter_external_heading_update_make(&command, heading, heading_uncertainty, type), NULL,
-        NULL);
+    uint8_t data[9];
+    mip_put_float(data, &heading);
+    mip_put_float(data + 4, &heading_uncertainty);
+    mip_put_8(data + 8, (uint8_t)type);
+    return mip_device_send(device, &mip_filter_external_heading_update_exchange, data, 9, NULL,
+                           NULL);
 }
 
 /**
@@ -728,6 +785,8 @@ static inline struct mip_result mip_call_filter_external_heading_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_heading_source_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_heading_source_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Heading update
@@ -763,17 +822,18 @@ static inline mip_error mip_send_filter_heading_source(
  */
 static inline struct mip_result mip_call_filter_heading_source_write(
     struct mip_device *device, enum mip_filter_heading_update_source source) {
-    struct mip_filter_heading_source command;
-    return mip_device_call(device, &mip_filter_heading_source_command,
-                           mip_filter_heading_source_write(&command, source), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 2, NULL, NULL);
 }
 
 /** Heading update control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_read(
     struct mip_device *device, struct mip_filter_heading_source_response *response) {
-    struct mip_filter_heading_source command;
-    return mip_device_call(device, &mip_filter_heading_source_command,
-                           mip_filter_heading_source_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1,
                            &mip_filter_heading_source_response_codec, response);
 }
 
@@ -782,23 +842,23 @@ static inline struct mip_result mip_call_filter_heading_source_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_heading_source_save(struct mip_device *device) {
-    struct mip_filter_heading_source command;
-    return mip_device_call(device, &mip_filter_heading_source_command,
-                           mip_filter_heading_source_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
 }
 
 /** Heading update control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_load(struct mip_device *device) {
-    struct mip_filter_heading_source command;
-    return mip_device_call(device, &mip_filter_heading_source_command,
-                           mip_filter_heading_source_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
 }
 
 /** Heading update control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_default(struct mip_device *device) {
-    struct mip_filter_heading_source command;
-    return mip_device_call(device, &mip_filter_heading_source_command,
-                           mip_filter_heading_source_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_heading_source_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -814,6 +874,8 @@ static inline struct mip_result mip_call_filter_heading_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_initialization_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_auto_initialization_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic
@@ -836,9 +898,10 @@ static inline mip_error mip_send_filter_auto_initialization_control(
  */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_write(struct mip_device *device, uint8_t enable) {
-    struct mip_filter_auto_initialization_control command;
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
-                           mip_filter_auto_initialization_control_write(&command, enable), NULL,
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 2, NULL,
                            NULL);
 }
 
@@ -847,9 +910,9 @@ mip_call_filter_auto_initialization_control_write(struct mip_device *device, uin
  */
 static inline struct mip_result mip_call_filter_auto_initialization_control_read(
     struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
-    struct mip_filter_auto_initialization_control command;
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
-                           mip_filter_auto_initialization_control_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1,
                            &mip_filter_auto_initialization_control_response_codec, response);
 }
 
@@ -859,25 +922,28 @@ static inline struct mip_result mip_call_filter_auto_initialization_control_read
  */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_save(struct mip_device *device) {
-    struct mip_filter_auto_initialization_control command;
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
-                           mip_filter_auto_initialization_control_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Automatic initialization: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_load(struct mip_device *device) {
-    struct mip_filter_auto_initialization_control command;
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
-                           mip_filter_auto_initialization_control_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Automatic initialization: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
-    struct mip_filter_auto_initialization_control command;
-    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
-                           mip_filter_auto_initialization_control_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_auto_initialization_control_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -893,6 +959,8 @@ static inline struct mip_result mip_call_filter_auto_initialization_control_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_accel_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer noise.
@@ -914,17 +982,20 @@ static inline mip_error mip_send_filter_accel_noise(
  */
 static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_device *device,
                                                                   const float noise[3]) {
-    struct mip_filter_accel_noise command;
-    return mip_device_call(device, &mip_filter_accel_noise_command,
-                           mip_filter_accel_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 13, NULL, NULL);
 }
 
 /** Accelerometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_read(
     struct mip_device *device, struct mip_filter_accel_noise_response *response) {
-    struct mip_filter_accel_noise command;
-    return mip_device_call(device, &mip_filter_accel_noise_command,
-                           mip_filter_accel_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1,
                            &mip_filter_accel_noise_response_codec, response);
 }
 
@@ -932,23 +1003,23 @@ static inline struct mip_result mip_call_filter_accel_noise_read(
  * Accelerometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_noise_save(struct mip_device *device) {
-    struct mip_filter_accel_noise command;
-    return mip_device_call(device, &mip_filter_accel_noise_command,
-                           mip_filter_accel_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Accelerometer noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_load(struct mip_device *device) {
-    struct mip_filter_accel_noise command;
-    return mip_device_call(device, &mip_filter_accel_noise_command,
-                           mip_filter_accel_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Accelerometer noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_device *device) {
-    struct mip_filter_accel_noise command;
-    return mip_device_call(device, &mip_filter_accel_noise_command,
-                           mip_filter_accel_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_accel_noise_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -964,6 +1035,8 @@ static inline struct mip_result mip_call_filter_accel_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_gyro_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. If
@@ -987,39 +1060,42 @@ static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
  */
 static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_device *device,
                                                                  const float noise[3]) {
-    struct mip_filter_gyro_noise command;
-    return mip_device_call(device, &mip_filter_gyro_noise_command,
-                           mip_filter_gyro_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 13, NULL, NULL);
 }
 
 /** Gyroscope noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_read(
     struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
-    struct mip_filter_gyro_noise command;
-    return mip_device_call(device, &mip_filter_gyro_noise_command,
-                           mip_filter_gyro_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1,
                            &mip_filter_gyro_noise_response_codec, response);
 }
 
 /** Gyroscope noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_save(struct mip_device *device) {
-    struct mip_filter_gyro_noise command;
-    return mip_device_call(device, &mip_filter_gyro_noise_command,
-                           mip_filter_gyro_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_load(struct mip_device *device) {
-    struct mip_filter_gyro_noise command;
-    return mip_device_call(device, &mip_filter_gyro_noise_command,
-                           mip_filter_gyro_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_device *device) {
-    struct mip_filter_gyro_noise command;
-    return mip_device_call(device, &mip_filter_gyro_noise_command,
-                           mip_filter_gyro_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_gyro_noise_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1035,6 +1111,8 @@ static inline struct mip_result mip_call_filter_gyro_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_accel_bias_model_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer bias
@@ -1059,9 +1137,15 @@ static inline mip_error mip_send_filter_accel_bias_model(
 static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mip_device *device,
                                                                        const float beta[3],
                                                                        const float noise[3]) {
-    struct mip_filter_accel_bias_model command;
-    return mip_device_call(device, &mip_filter_accel_bias_model_command,
-                           mip_filter_accel_bias_model_write(&command, beta, noise), NULL, NULL);
+    uint8_t data[25];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &beta[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 13 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 25, NULL, NULL);
 }
 
 /**
@@ -1069,9 +1153,9 @@ static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mi
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_read(
     struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
-    struct mip_filter_accel_bias_model command;
-    return mip_device_call(device, &mip_filter_accel_bias_model_command,
-                           mip_filter_accel_bias_model_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1,
                            &mip_filter_accel_bias_model_response_codec, response);
 }
 
@@ -1080,24 +1164,24 @@ static inline struct mip_result mip_call_filter_accel_bias_model_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_save(struct mip_device *device) {
-    struct mip_filter_accel_bias_model command;
-    return mip_device_call(device, &mip_filter_accel_bias_model_command,
-                           mip_filter_accel_bias_model_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /** Accelerometer bias model: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_bias_model_load(struct mip_device *device) {
-    struct mip_filter_accel_bias_model command;
-    return mip_device_call(device, &mip_filter_accel_bias_model_command,
-                           mip_filter_accel_bias_model_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /** Accelerometer bias model: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_accel_bias_model_default(struct mip_device *device) {
-    struct mip_filter_accel_bias_model command;
-    return mip_device_call(device, &mip_filter_accel_bias_model_command,
-                           mip_filter_accel_bias_model_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_accel_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1113,6 +1197,8 @@ static inline struct mip_result mip_call_filter_accel_bias_model_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_gyro_bias_model_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope bias model.
@@ -1137,17 +1223,23 @@ static inline mip_error mip_send_filter_gyro_bias_model(
 static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip_device *device,
                                                                       const float beta[3],
                                                                       const float noise[3]) {
-    struct mip_filter_gyro_bias_model command;
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
-                           mip_filter_gyro_bias_model_write(&command, beta, noise), NULL, NULL);
+    uint8_t data[25];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &beta[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 13 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 25, NULL, NULL);
 }
 
 /** Gyroscope bias model: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_read(
     struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
-    struct mip_filter_gyro_bias_model command;
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
-                           mip_filter_gyro_bias_model_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1,
                            &mip_filter_gyro_bias_model_response_codec, response);
 }
 
@@ -1155,23 +1247,23 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_read(
  * Gyroscope bias model: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gyro_bias_model_save(struct mip_device *device) {
-    struct mip_filter_gyro_bias_model command;
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
-                           mip_filter_gyro_bias_model_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope bias model: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_load(struct mip_device *device) {
-    struct mip_filter_gyro_bias_model command;
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
-                           mip_filter_gyro_bias_model_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /** Gyroscope bias model: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct mip_device *device) {
-    struct mip_filter_gyro_bias_model command;
-    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
-                           mip_filter_gyro_bias_model_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_gyro_bias_model_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1187,6 +1279,8 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_auto_zupt_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic zero
@@ -1212,9 +1306,11 @@ static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
  */
 static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_device *device,
                                                                 uint8_t enable, float threshold) {
-    struct mip_filter_auto_zupt command;
-    return mip_device_call(device, &mip_filter_auto_zupt_command,
-                           mip_filter_auto_zupt_write(&command, enable, threshold), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_float(data + 2, &threshold);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -1223,9 +1319,9 @@ static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_devic
  */
 static inline struct mip_result mip_call_filter_auto_zupt_read(
     struct mip_device *device, struct mip_filter_auto_zupt_response *response) {
-    struct mip_filter_auto_zupt command;
-    return mip_device_call(device, &mip_filter_auto_zupt_command,
-                           mip_filter_auto_zupt_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1,
                            &mip_filter_auto_zupt_response_codec, response);
 }
 
@@ -1234,25 +1330,25 @@ static inline struct mip_result mip_call_filter_auto_zupt_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_save(struct mip_device *device) {
-    struct mip_filter_auto_zupt command;
-    return mip_device_call(device, &mip_filter_auto_zupt_command,
-                           mip_filter_auto_zupt_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /** Automatic zero velocity update: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_auto_zupt_load(struct mip_device *device) {
-    struct mip_filter_auto_zupt command;
-    return mip_device_call(device, &mip_filter_auto_zupt_command,
-                           mip_filter_auto_zupt_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /**
  * Automatic zero velocity update: default. Load the factory default setting. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_device *device) {
-    struct mip_filter_auto_zupt command;
-    return mip_device_call(device, &mip_filter_auto_zupt_command,
-                           mip_filter_auto_zupt_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_auto_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1268,6 +1364,8 @@ static inline struct mip_result mip_call_filter_auto_zupt_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_with_time_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_external_heading_update_with_time_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. External heading
@@ -1295,10 +1393,13 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
 static inline struct mip_result mip_call_filter_external_heading_update_with_time(
     struct mip_device *device, double tow, uint16_t week_number, float heading,
     float heading_uncertainty, enum mip_filter_heading_type type) {
-    struct mip_filter_external_heading_update_with_time command;
-    return mip_device_call(device, &mip_filter_external_heading_update_with_time_command,
-                           mip_filter_external_heading_update_with_time_make(
-                               &command, tow, week_number, heading, heading_uncertainty, type),
+    uint8_t data[19];
+    mip_put_double(data, &tow);
+    mip_put_16(data + 8, (uint16_t)week_number);
+    mip_put_float(data + 10, &heading);
+    mip_put_float(data + 14, &heading_uncertainty);
+    mip_put_8(data + 18, (uint8_t)type);
+    return mip_device_send(device, &mip_filter_external_heading_update_with_time_exchange, data, 19,
                            NULL, NULL);
 }
 
@@ -1314,6 +1415,8 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_auto_angular_zupt_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Zero angular rate
@@ -1337,10 +1440,11 @@ static inline mip_error mip_send_filter_auto_angular_zupt(
 static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct mip_device *device,
                                                                         uint8_t enable,
                                                                         float threshold) {
-    struct mip_filter_auto_angular_zupt command;
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
-                           mip_filter_auto_angular_zupt_write(&command, enable, threshold), NULL,
-                           NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_float(data + 2, &threshold);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -1348,9 +1452,9 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct m
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
     struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
-    struct mip_filter_auto_angular_zupt command;
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
-                           mip_filter_auto_angular_zupt_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1,
                            &mip_filter_auto_angular_zupt_response_codec, response);
 }
 
@@ -1359,24 +1463,24 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_save(struct mip_device *device) {
-    struct mip_filter_auto_angular_zupt command;
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
-                           mip_filter_auto_angular_zupt_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /** Zero angular rate update: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_load(struct mip_device *device) {
-    struct mip_filter_auto_angular_zupt command;
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
-                           mip_filter_auto_angular_zupt_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /** Zero angular rate update: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
-    struct mip_filter_auto_angular_zupt command;
-    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
-                           mip_filter_auto_angular_zupt_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_auto_angular_zupt_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1392,6 +1496,8 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_tare_orientation_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. If
@@ -1412,40 +1518,41 @@ static inline mip_error mip_send_filter_tare_orientation(
  */
 static inline struct mip_result mip_call_filter_tare_orientation_write(struct mip_device *device,
                                                                        mip_filter_tare_axes axes) {
-    struct mip_filter_tare_orientation command;
-    return mip_device_call(device, &mip_filter_tare_orientation_command,
-                           mip_filter_tare_orientation_write(&command, axes), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)axes);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 2, NULL, NULL);
 }
 
 /** Tare orientation: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_read(
     struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
-    struct mip_filter_tare_orientation command;
-    return mip_device_call(device, &mip_filter_tare_orientation_command,
-                           mip_filter_tare_orientation_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1,
                            &mip_filter_tare_orientation_response_codec, response);
 }
 
 /** Tare orientation: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_save(struct mip_device *device) {
-    struct mip_filter_tare_orientation command;
-    return mip_device_call(device, &mip_filter_tare_orientation_command,
-                           mip_filter_tare_orientation_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
 }
 
 /** Tare orientation: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_load(struct mip_device *device) {
-    struct mip_filter_tare_orientation command;
-    return mip_device_call(device, &mip_filter_tare_orientation_command,
-                           mip_filter_tare_orientation_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
 }
 
 /** Tare orientation: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_tare_orientation_default(struct mip_device *device) {
-    struct mip_filter_tare_orientation command;
-    return mip_device_call(device, &mip_filter_tare_orientation_command,
-                           mip_filter_tare_orientation_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_tare_orientation_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1461,6 +1568,8 @@ static inline struct mip_result mip_call_filter_tare_orientation_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_commanded_zupt_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Commanded zero
@@ -1475,11 +1584,13 @@ static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client
 
 /** Commanded zero velocity update. See mip_device_call. */
 static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device *device) {
-    return mip_device_call(device, &mip_filter_commanded_zupt_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_filter_commanded_zupt_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_commanded_angular_zupt_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Commanded zero
@@ -1495,11 +1606,14 @@ static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client
 
 /** Commanded zero angular rate update. See mip_device_call. */
 static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mip_device *device) {
-    return mip_device_call(device, &mip_filter_commanded_angular_zupt_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_filter_commanded_angular_zupt_exchange, NULL, 0, NULL,
+                           NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_position_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_reference_position_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set reference
@@ -1527,19 +1641,21 @@ static inline mip_error mip_send_filter_reference_position(
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
-    struct mip_filter_reference_position command;
-    return mip_device_call(
-        device, &mip_filter_reference_position_command,
-        mip_filter_reference_position_write(&command, enable, latitude, longitude, altitude), NULL,
-        NULL);
+    uint8_t data[26];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_double(data + 2, &latitude);
+    mip_put_double(data + 10, &longitude);
+    mip_put_double(data + 18, &altitude);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 26, NULL, NULL);
 }
 
 /** Set reference position: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reference_position_read(
     struct mip_device *device, struct mip_filter_reference_position_response *response) {
-    struct mip_filter_reference_position command;
-    return mip_device_call(device, &mip_filter_reference_position_command,
-                           mip_filter_reference_position_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1,
                            &mip_filter_reference_position_response_codec, response);
 }
 
@@ -1548,24 +1664,24 @@ static inline struct mip_result mip_call_filter_reference_position_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_position_save(struct mip_device *device) {
-    struct mip_filter_reference_position command;
-    return mip_device_call(device, &mip_filter_reference_position_command,
-                           mip_filter_reference_position_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
 }
 
 /** Set reference position: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reference_position_load(struct mip_device *device) {
-    struct mip_filter_reference_position command;
-    return mip_device_call(device, &mip_filter_reference_position_command,
-                           mip_filter_reference_position_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
 }
 
 /** Set reference position: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_reference_position_default(struct mip_device *device) {
-    struct mip_filter_reference_position command;
-    return mip_device_call(device, &mip_filter_reference_position_command,
-                           mip_filter_reference_position_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_reference_position_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1581,6 +1697,8 @@ static inline struct mip_result mip_call_filter_reference_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Capture automatic
@@ -1599,9 +1717,10 @@ static inline mip_error mip_send_filter_mag_capture_auto_calibration(
  */
 static inline struct mip_result
 mip_call_filter_mag_capture_auto_calibration_write(struct mip_device *device) {
-    struct mip_filter_mag_capture_auto_calibration command;
-    return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command,
-                           mip_filter_mag_capture_auto_calibration_write(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1610,9 +1729,10 @@ mip_call_filter_mag_capture_auto_calibration_write(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
-    struct mip_filter_mag_capture_auto_calibration command;
-    return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command,
-                           mip_filter_mag_capture_auto_calibration_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_mag_capture_auto_calibration_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1627,6 +1747,8 @@ static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_wit
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_gravity_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. If the
@@ -1648,39 +1770,42 @@ static inline mip_error mip_send_filter_gravity_noise(
  */
 static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_device *device,
                                                                     const float noise[3]) {
-    struct mip_filter_gravity_noise command;
-    return mip_device_call(device, &mip_filter_gravity_noise_command,
-                           mip_filter_gravity_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 13, NULL, NULL);
 }
 
 /** Gravity noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_read(
     struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
-    struct mip_filter_gravity_noise command;
-    return mip_device_call(device, &mip_filter_gravity_noise_command,
-                           mip_filter_gravity_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1,
                            &mip_filter_gravity_noise_response_codec, response);
 }
 
 /** Gravity noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_save(struct mip_device *device) {
-    struct mip_filter_gravity_noise command;
-    return mip_device_call(device, &mip_filter_gravity_noise_command,
-                           mip_filter_gravity_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Gravity noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_load(struct mip_device *device) {
-    struct mip_filter_gravity_noise command;
-    return mip_device_call(device, &mip_filter_gravity_noise_command,
-                           mip_filter_gravity_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Gravity noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip_device *device) {
-    struct mip_filter_gravity_noise command;
-    return mip_device_call(device, &mip_filter_gravity_noise_command,
-                           mip_filter_gravity_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_gravity_noise_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1696,6 +1821,8 @@ static inline struct mip_result mip_call_filter_gravity_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_pressure_altitude_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pressure altitude
@@ -1717,17 +1844,19 @@ static inline mip_error mip_send_filter_pressure_altitude_noise(
  */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float noise) {
-    struct mip_filter_pressure_altitude_noise command;
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
-                           mip_filter_pressure_altitude_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[5];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_float(data + 1, &noise);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 5, NULL,
+                           NULL);
 }
 
 /** Pressure altitude noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
     struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
-    struct mip_filter_pressure_altitude_noise command;
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
-                           mip_filter_pressure_altitude_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1,
                            &mip_filter_pressure_altitude_noise_response_codec, response);
 }
 
@@ -1737,25 +1866,28 @@ static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
  */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_save(struct mip_device *device) {
-    struct mip_filter_pressure_altitude_noise command;
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
-                           mip_filter_pressure_altitude_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Pressure altitude noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_load(struct mip_device *device) {
-    struct mip_filter_pressure_altitude_noise command;
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
-                           mip_filter_pressure_altitude_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Pressure altitude noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
-    struct mip_filter_pressure_altitude_noise command;
-    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
-                           mip_filter_pressure_altitude_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_pressure_altitude_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1771,6 +1903,8 @@ static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Hard iron offset
@@ -1793,17 +1927,21 @@ static inline mip_error mip_send_filter_hard_iron_offset_noise(
  */
 static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const float noise[3]) {
-    struct mip_filter_hard_iron_offset_noise command;
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
-                           mip_filter_hard_iron_offset_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 13, NULL,
+                           NULL);
 }
 
 /** Hard iron offset noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
     struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
-    struct mip_filter_hard_iron_offset_noise command;
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
-                           mip_filter_hard_iron_offset_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1,
                            &mip_filter_hard_iron_offset_noise_response_codec, response);
 }
 
@@ -1813,25 +1951,28 @@ static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
  */
 static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_save(struct mip_device *device) {
-    struct mip_filter_hard_iron_offset_noise command;
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
-                           mip_filter_hard_iron_offset_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Hard iron offset noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_load(struct mip_device *device) {
-    struct mip_filter_hard_iron_offset_noise command;
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
-                           mip_filter_hard_iron_offset_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Hard iron offset noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
-    struct mip_filter_hard_iron_offset_noise command;
-    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
-                           mip_filter_hard_iron_offset_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_hard_iron_offset_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1847,6 +1988,8 @@ static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Soft iron matrix
@@ -1869,17 +2012,21 @@ static inline mip_error mip_send_filter_soft_iron_matrix_noise(
  */
 static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const float noise[9]) {
-    struct mip_filter_soft_iron_matrix_noise command;
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
-                           mip_filter_soft_iron_matrix_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[37];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 37, NULL,
+                           NULL);
 }
 
 /** Soft iron matrix noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
     struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
-    struct mip_filter_soft_iron_matrix_noise command;
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
-                           mip_filter_soft_iron_matrix_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1,
                            &mip_filter_soft_iron_matrix_noise_response_codec, response);
 }
 
@@ -1889,25 +2036,28 @@ static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
  */
 static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_save(struct mip_device *device) {
-    struct mip_filter_soft_iron_matrix_noise command;
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
-                           mip_filter_soft_iron_matrix_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Soft iron matrix noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_load(struct mip_device *device) {
-    struct mip_filter_soft_iron_matrix_noise command;
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
-                           mip_filter_soft_iron_matrix_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Soft iron matrix noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
-    struct mip_filter_soft_iron_matrix_noise command;
-    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
-                           mip_filter_soft_iron_matrix_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_soft_iron_matrix_noise_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -1923,6 +2073,8 @@ static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_enable_measurements_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Enable or disable
@@ -1945,9 +2097,10 @@ static inline mip_error mip_send_filter_enable_measurements(
  */
 static inline struct mip_result mip_call_filter_enable_measurements_write(
     struct mip_device *device, mip_filter_measurement_flags control) {
-    struct mip_filter_enable_measurements command;
-    return mip_device_call(device, &mip_filter_enable_measurements_command,
-                           mip_filter_enable_measurements_write(&command, control), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_16(data + 1, (uint16_t)control);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -1956,9 +2109,9 @@ static inline struct mip_result mip_call_filter_enable_measurements_write(
  */
 static inline struct mip_result mip_call_filter_enable_measurements_read(
     struct mip_device *device, struct mip_filter_enable_measurements_response *response) {
-    struct mip_filter_enable_measurements command;
-    return mip_device_call(device, &mip_filter_enable_measurements_command,
-                           mip_filter_enable_measurements_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1,
                            &mip_filter_enable_measurements_response_codec, response);
 }
 
@@ -1968,17 +2121,17 @@ static inline struct mip_result mip_call_filter_enable_measurements_read(
  */
 static inline struct mip_result
 mip_call_filter_enable_measurements_save(struct mip_device *device) {
-    struct mip_filter_enable_measurements command;
-    return mip_device_call(device, &mip_filter_enable_measurements_command,
-                           mip_filter_enable_measurements_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
 }
 
 /** Enable or disable measurements: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_enable_measurements_load(struct mip_device *device) {
-    struct mip_filter_enable_measurements command;
-    return mip_device_call(device, &mip_filter_enable_measurements_command,
-                           mip_filter_enable_measurements_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -1986,9 +2139,9 @@ mip_call_filter_enable_measurements_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_enable_measurements_default(struct mip_device *device) {
-    struct mip_filter_enable_measurements command;
-    return mip_device_call(device, &mip_filter_enable_measurements_command,
-                           mip_filter_enable_measurements_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_enable_measurements_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2004,6 +2157,8 @@ static inline struct mip_result mip_call_filter_enable_measurements_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_noise_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_mag_noise_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer noise.
@@ -2027,17 +2182,20 @@ static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
  */
 static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_device *device,
                                                                 const float noise[3]) {
-    struct mip_filter_mag_noise command;
-    return mip_device_call(device, &mip_filter_mag_noise_command,
-                           mip_filter_mag_noise_write(&command, noise), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &noise[i]);
+    }
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 13, NULL, NULL);
 }
 
 /** Magnetometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_read(
     struct mip_device *device, struct mip_filter_mag_noise_response *response) {
-    struct mip_filter_mag_noise command;
-    return mip_device_call(device, &mip_filter_mag_noise_command,
-                           mip_filter_mag_noise_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1,
                            &mip_filter_mag_noise_response_codec, response);
 }
 
@@ -2045,23 +2203,23 @@ static inline struct mip_result mip_call_filter_mag_noise_read(
  * Magnetometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_noise_save(struct mip_device *device) {
-    struct mip_filter_mag_noise command;
-    return mip_device_call(device, &mip_filter_mag_noise_command,
-                           mip_filter_mag_noise_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Magnetometer noise: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_load(struct mip_device *device) {
-    struct mip_filter_mag_noise command;
-    return mip_device_call(device, &mip_filter_mag_noise_command,
-                           mip_filter_mag_noise_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
 }
 
 /** Magnetometer noise: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_device *device) {
-    struct mip_filter_mag_noise command;
-    return mip_device_call(device, &mip_filter_mag_noise_command,
-                           mip_filter_mag_noise_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_mag_noise_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2077,6 +2235,8 @@ static inline struct mip_result mip_call_filter_mag_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_magnetic_declination_source_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic declination
@@ -2106,10 +2266,12 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
-    struct mip_filter_magnetic_declination_source command;
-    return mip_device_call(
-        device, &mip_filter_magnetic_declination_source_command,
-        mip_filter_magnetic_declination_source_write(&command, source, declination), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    mip_put_float(data + 2, &declination);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 6, NULL,
+                           NULL);
 }
 
 /**
@@ -2117,9 +2279,9 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_writ
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
-    struct mip_filter_magnetic_declination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
-                           mip_filter_magnetic_declination_source_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1,
                            &mip_filter_magnetic_declination_source_response_codec, response);
 }
 
@@ -2129,25 +2291,28 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_read
  */
 static inline struct mip_result
 mip_call_filter_magnetic_declination_source_save(struct mip_device *device) {
-    struct mip_filter_magnetic_declination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
-                           mip_filter_magnetic_declination_source_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Magnetic declination source: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_magnetic_declination_source_load(struct mip_device *device) {
-    struct mip_filter_magnetic_declination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
-                           mip_filter_magnetic_declination_source_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Magnetic declination source: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
-    struct mip_filter_magnetic_declination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
-                           mip_filter_magnetic_declination_source_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_magnetic_declination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2163,6 +2328,8 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity magnitude
@@ -2189,10 +2356,11 @@ static inline mip_error mip_send_filter_accel_magnitude_adaptive(
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
-    struct mip_filter_accel_magnitude_adaptive command;
-    return mip_device_call(
-        device, &mip_filter_accel_magnitude_adaptive_command,
-        mip_filter_accel_magnitude_adaptive_write(&command, adaptive_measurement), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)adaptive_measurement);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 2, NULL,
+                           NULL);
 }
 
 /**
@@ -2201,9 +2369,9 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
-    struct mip_filter_accel_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
-                           mip_filter_accel_magnitude_adaptive_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1,
                            &mip_filter_accel_magnitude_adaptive_response_codec, response);
 }
 
@@ -2213,9 +2381,10 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
  */
 static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_save(struct mip_device *device) {
-    struct mip_filter_accel_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
-                           mip_filter_accel_magnitude_adaptive_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2223,9 +2392,10 @@ mip_call_filter_accel_magnitude_adaptive_save(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_load(struct mip_device *device) {
-    struct mip_filter_accel_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
-                           mip_filter_accel_magnitude_adaptive_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2234,9 +2404,10 @@ mip_call_filter_accel_magnitude_adaptive_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
-    struct mip_filter_accel_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
-                           mip_filter_accel_magnitude_adaptive_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_accel_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2252,6 +2423,8 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer
@@ -2297,12 +2470,17 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,
     float frequency, float low_limit, float high_limit, float low_limit_uncertainty,
     float high_limit_uncertainty, float minimum_uncertainty) {
-    struct mip_filter_mag_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
-                           mip_filter_mag_magnitude_adaptive_write(
-                               &command, adaptive_measurement, frequency, low_limit, high_limit,
-                               low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty),
-                           NULL, NULL);
+    uint8_t data[26];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)adaptive_measurement);
+    mip_put_float(data + 2, &frequency);
+    mip_put_float(data + 6, &low_limit);
+    mip_put_float(data + 10, &high_limit);
+    mip_put_float(data + 14, &low_limit_uncertainty);
+    mip_put_float(data + 18, &high_limit_uncertainty);
+    mip_put_float(data + 22, &minimum_uncertainty);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 26, NULL,
+                           NULL);
 }
 
 /**
@@ -2311,9 +2489,9 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_mag_magnitude_adaptive_response *response) {
-    struct mip_filter_mag_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
-                           mip_filter_mag_magnitude_adaptive_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1,
                            &mip_filter_mag_magnitude_adaptive_response_codec, response);
 }
 
@@ -2323,9 +2501,10 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
  */
 static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_save(struct mip_device *device) {
-    struct mip_filter_mag_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
-                           mip_filter_mag_magnitude_adaptive_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2334,9 +2513,10 @@ mip_call_filter_mag_magnitude_adaptive_save(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_load(struct mip_device *device) {
-    struct mip_filter_mag_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
-                           mip_filter_mag_magnitude_adaptive_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2345,9 +2525,10 @@ mip_call_filter_mag_magnitude_adaptive_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
-    struct mip_filter_mag_magnitude_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
-                           mip_filter_mag_magnitude_adaptive_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_mag_magnitude_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2363,6 +2544,8 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer dip
@@ -2395,12 +2578,15 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     struct mip_device *device, mip_bool enable, float frequency, float high_limit,
     float high_limit_uncertainty, float minimum_uncertainty) {
-    struct mip_filter_mag_dip_angle_adaptive command;
-    return mip_device_call(
-        device, &mip_filter_mag_dip_angle_adaptive_command,
-        mip_filter_mag_dip_angle_adaptive_write(&command, enable, frequency, high_limit,
-                                                high_limit_uncertainty, minimum_uncertainty),
-        NULL, NULL);
+    uint8_t data[18];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_float(data + 2, &frequency);
+    mip_put_float(data + 6, &high_limit);
+    mip_put_float(data + 10, &high_limit_uncertainty);
+    mip_put_float(data + 14, &minimum_uncertainty);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 18, NULL,
+                           NULL);
 }
 
 /**
@@ -2409,9 +2595,9 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
     struct mip_device *device, struct mip_filter_mag_dip_angle_adaptive_response *response) {
-    struct mip_filter_mag_dip_angle_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
-                           mip_filter_mag_dip_angle_adaptive_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1,
                            &mip_filter_mag_dip_angle_adaptive_response_codec, response);
 }
 
@@ -2421,9 +2607,10 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
  */
 static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_save(struct mip_device *device) {
-    struct mip_filter_mag_dip_angle_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
-                           mip_filter_mag_dip_angle_adaptive_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2432,9 +2619,10 @@ mip_call_filter_mag_dip_angle_adaptive_save(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_load(struct mip_device *device) {
-    struct mip_filter_mag_dip_angle_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
-                           mip_filter_mag_dip_angle_adaptive_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2443,9 +2631,10 @@ mip_call_filter_mag_dip_angle_adaptive_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
-    struct mip_filter_mag_dip_angle_adaptive command;
-    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
-                           mip_filter_mag_dip_angle_adaptive_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_mag_dip_angle_adaptive_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2461,6 +2650,8 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_altitude_aiding_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. If
@@ -2482,39 +2673,40 @@ static inline mip_error mip_send_filter_altitude_aiding(
  */
 static inline struct mip_result mip_call_filter_altitude_aiding_write(
     struct mip_device *device, enum mip_filter_altitude_aiding_source selector) {
-    struct mip_filter_altitude_aiding command;
-    return mip_device_call(device, &mip_filter_altitude_aiding_command,
-                           mip_filter_altitude_aiding_write(&command, selector), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)selector);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 2, NULL, NULL);
 }
 
 /** Altitude aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_read(
     struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
-    struct mip_filter_altitude_aiding command;
-    return mip_device_call(device, &mip_filter_altitude_aiding_command,
-                           mip_filter_altitude_aiding_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1,
                            &mip_filter_altitude_aiding_response_codec, response);
 }
 
 /** Altitude aiding: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_save(struct mip_device *device) {
-    struct mip_filter_altitude_aiding command;
-    return mip_device_call(device, &mip_filter_altitude_aiding_command,
-                           mip_filter_altitude_aiding_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /** Altitude aiding: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_load(struct mip_device *device) {
-    struct mip_filter_altitude_aiding command;
-    return mip_device_call(device, &mip_filter_altitude_aiding_command,
-                           mip_filter_altitude_aiding_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /** Altitude aiding: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_default(struct mip_device *device) {
-    struct mip_filter_altitude_aiding command;
-    return mip_device_call(device, &mip_filter_altitude_aiding_command,
-                           mip_filter_altitude_aiding_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_altitude_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2530,6 +2722,8 @@ static inline struct mip_result mip_call_filter_altitude_aiding_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_pitch_roll_aiding_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pitch and roll
@@ -2551,17 +2745,18 @@ static inline mip_error mip_send_filter_pitch_roll_aiding(
  */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
     struct mip_device *device, enum mip_filter_pitch_roll_aiding_source aiding) {
-    struct mip_filter_pitch_roll_aiding command;
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
-                           mip_filter_pitch_roll_aiding_write(&command, aiding), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)aiding);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 2, NULL, NULL);
 }
 
 /** Pitch and roll aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
     struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
-    struct mip_filter_pitch_roll_aiding command;
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
-                           mip_filter_pitch_roll_aiding_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1,
                            &mip_filter_pitch_roll_aiding_response_codec, response);
 }
 
@@ -2570,24 +2765,24 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_save(struct mip_device *device) {
-    struct mip_filter_pitch_roll_aiding command;
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
-                           mip_filter_pitch_roll_aiding_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /** Pitch and roll aiding: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_load(struct mip_device *device) {
-    struct mip_filter_pitch_roll_aiding command;
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
-                           mip_filter_pitch_roll_aiding_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /** Pitch and roll aiding: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
-    struct mip_filter_pitch_roll_aiding command;
-    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
-                           mip_filter_pitch_roll_aiding_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_pitch_roll_aiding_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2603,6 +2798,8 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_magnetic_inclination_source_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic inclination
@@ -2628,10 +2825,12 @@ static inline mip_error mip_send_filter_magnetic_inclination_source(
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float inclination) {
-    struct mip_filter_magnetic_inclination_source command;
-    return mip_device_call(
-        device, &mip_filter_magnetic_inclination_source_command,
-        mip_filter_magnetic_inclination_source_write(&command, source, inclination), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    mip_put_float(data + 2, &inclination);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 6, NULL,
+                           NULL);
 }
 
 /**
@@ -2639,9 +2838,9 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_writ
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
-    struct mip_filter_magnetic_inclination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
-                           mip_filter_magnetic_inclination_source_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1,
                            &mip_filter_magnetic_inclination_source_response_codec, response);
 }
 
@@ -2651,25 +2850,28 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_read
  */
 static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_save(struct mip_device *device) {
-    struct mip_filter_magnetic_inclination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
-                           mip_filter_magnetic_inclination_source_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Magnetic inclination source: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_load(struct mip_device *device) {
-    struct mip_filter_magnetic_inclination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
-                           mip_filter_magnetic_inclination_source_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Magnetic inclination source: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
-    struct mip_filter_magnetic_inclination_source command;
-    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
-                           mip_filter_magnetic_inclination_source_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_magnetic_inclination_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2685,6 +2887,8 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field
@@ -2711,10 +2915,12 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {
-    struct mip_filter_magnetic_magnitude_source command;
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
-                           mip_filter_magnetic_magnitude_source_write(&command, source, magnitude),
-                           NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    mip_put_float(data + 2, &magnitude);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 6, NULL,
+                           NULL);
 }
 
 /**
@@ -2723,9 +2929,9 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
     struct mip_device *device, struct mip_filter_magnetic_magnitude_source_response *response) {
-    struct mip_filter_magnetic_magnitude_source command;
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
-                           mip_filter_magnetic_magnitude_source_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1,
                            &mip_filter_magnetic_magnitude_source_response_codec, response);
 }
 
@@ -2735,17 +2941,19 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
  */
 static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_save(struct mip_device *device) {
-    struct mip_filter_magnetic_magnitude_source command;
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
-                           mip_filter_magnetic_magnitude_source_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Magnetic field magnitude source: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_load(struct mip_device *device) {
-    struct mip_filter_magnetic_magnitude_source command;
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
-                           mip_filter_magnetic_magnitude_source_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2753,9 +2961,10 @@ mip_call_filter_magnetic_magnitude_source_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
-    struct mip_filter_magnetic_magnitude_source command;
-    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
-                           mip_filter_magnetic_magnitude_source_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_magnetic_magnitude_source_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2771,6 +2980,8 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_dcm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
@@ -2794,9 +3005,13 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const float dcm[9]) {
-    struct mip_filter_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
-                           mip_filter_sensor_to_vehicle_dcm_write(&command, dcm), NULL, NULL);
+    uint8_t data[37];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 1 + 4 * i, &dcm[i]);
+    }
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 37, NULL,
+                           NULL);
 }
 
 /**
@@ -2805,9 +3020,9 @@ mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const flo
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_dcm_response *response) {
-    struct mip_filter_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
-                           mip_filter_sensor_to_vehicle_dcm_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1,
                            &mip_filter_sensor_to_vehicle_dcm_response_codec, response);
 }
 
@@ -2817,17 +3032,17 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_dcm_save(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
-                           mip_filter_sensor_to_vehicle_dcm_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /** Sensor to vehicle rotation, matrix: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_dcm_load(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
-                           mip_filter_sensor_to_vehicle_dcm_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2836,9 +3051,9 @@ mip_call_filter_sensor_to_vehicle_dcm_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_dcm_default(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_dcm command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
-                           mip_filter_sensor_to_vehicle_dcm_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_dcm_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -2854,6 +3069,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
@@ -2877,9 +3094,13 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
-    struct mip_filter_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
-                           mip_filter_sensor_to_vehicle_quaternion_write(&command, q), NULL, NULL);
+    uint8_t data[17];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 1 + 4 * i, &q[i]);
+    }
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 17,
+                           NULL, NULL);
 }
 
 /**
@@ -2888,9 +3109,9 @@ mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, co
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
-    struct mip_filter_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
-                           mip_filter_sensor_to_vehicle_quaternion_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1,
                            &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
 }
 
@@ -2900,17 +3121,19 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_rea
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
-                           mip_filter_sensor_to_vehicle_quaternion_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Sensor to vehicle rotation, quaternion: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
-                           mip_filter_sensor_to_vehicle_quaternion_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2919,9 +3142,10 @@ mip_call_filter_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
-    struct mip_filter_sensor_to_vehicle_quaternion command;
-    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
-                           mip_filter_sensor_to_vehicle_quaternion_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_sensor_to_vehicle_quaternion_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -2937,6 +3161,8 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_wit
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_aiding_measurement_enable_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Aiding measurement
@@ -2972,10 +3198,12 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
     struct mip_device *device, uint16_t aiding_source, mip_bool enable) {
-    struct mip_filter_aiding_measurement_enable command;
-    return mip_device_call(
-        device, &mip_filter_aiding_measurement_enable_command,
-        mip_filter_aiding_measurement_enable_write(&command, aiding_source, enable), NULL, NULL);
+    uint8_t data[4];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_16(data + 1, (uint16_t)aiding_source);
+    mip_put_8(data + 3, (uint8_t)enable);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 4, NULL,
+                           NULL);
 }
 
 /**
@@ -2999,9 +3227,10 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     struct mip_device *device, uint16_t aiding_source,
     struct mip_filter_aiding_measurement_enable_response *response) {
-    struct mip_filter_aiding_measurement_enable command;
-    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
-                           mip_filter_aiding_measurement_enable_read(&command, aiding_source),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_16(data + 1, (uint16_t)aiding_source);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3,
                            &mip_filter_aiding_measurement_enable_response_codec, response);
 }
 
@@ -3026,9 +3255,10 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
  */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16_t aiding_source) {
-    struct mip_filter_aiding_measurement_enable command;
-    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
-                           mip_filter_aiding_measurement_enable_save(&command, aiding_source), NULL,
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_16(data + 1, (uint16_t)aiding_source);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
                            NULL);
 }
 
@@ -3052,9 +3282,10 @@ mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16
  */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16_t aiding_source) {
-    struct mip_filter_aiding_measurement_enable command;
-    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
-                           mip_filter_aiding_measurement_enable_load(&command, aiding_source), NULL,
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_16(data + 1, (uint16_t)aiding_source);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
                            NULL);
 }
 
@@ -3078,10 +3309,11 @@ mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_default(
     struct mip_device *device, uint16_t aiding_source) {
-    struct mip_filter_aiding_measurement_enable command;
-    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
-                           mip_filter_aiding_measurement_enable_default(&command, aiding_source),
-                           NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_16(data + 1, (uint16_t)aiding_source);
+    return mip_device_send(device, &mip_filter_aiding_measurement_enable_exchange, data, 3, NULL,
+                           NULL);
 }
 
 /**
@@ -3097,6 +3329,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_kinematic_constraint_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Kinematic constraint.
@@ -3125,19 +3359,20 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_write(
     struct mip_device *device, enum mip_filter_accel_constraint accel_constraint,
     enum mip_filter_velocity_constraint velocity_constraint,
     enum mip_filter_angular_constraint angular_constraint) {
-    struct mip_filter_kinematic_constraint command;
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
-                           mip_filter_kinematic_constraint_write(
-                               &command, accel_constraint, velocity_constraint, angular_constraint),
-                           NULL, NULL);
+    uint8_t data[4];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)accel_constraint);
+    mip_put_8(data + 2, (uint8_t)velocity_constraint);
+    mip_put_8(data + 3, (uint8_t)angular_constraint);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 4, NULL, NULL);
 }
 
 /** Kinematic constraint: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_kinematic_constraint_read(
     struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
-    struct mip_filter_kinematic_constraint command;
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
-                           mip_filter_kinematic_constraint_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1,
                            &mip_filter_kinematic_constraint_response_codec, response);
 }
 
@@ -3146,25 +3381,25 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_read(
  */
 static inline struct mip_result
 mip_call_filter_kinematic_constraint_save(struct mip_device *device) {
-    struct mip_filter_kinematic_constraint command;
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
-                           mip_filter_kinematic_constraint_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
 }
 
 /** Kinematic constraint: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_kinematic_constraint_load(struct mip_device *device) {
-    struct mip_filter_kinematic_constraint command;
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
-                           mip_filter_kinematic_constraint_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
 }
 
 /** Kinematic constraint: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
-    struct mip_filter_kinematic_constraint command;
-    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
-                           mip_filter_kinematic_constraint_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_kinematic_constraint_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3180,6 +3415,8 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_initialization_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_initialization_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Navigation filter
@@ -3228,14 +3465,23 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
     mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
     float initial_pitch, float initial_roll, const float initial_position[3],
     const float initial_velocity[3], enum mip_filter_reference_frame reference_frame_selector) {
-    struct mip_filter_initialization_config command;
-    return mip_device_call(device, &mip_filter_initialization_config_command,
-                           mip_filter_initialization_config_write(
-                               &command, wait_for_run_command, initial_condition_source,
-                               auto_heading_alignment_selector, initial_heading, initial_pitch,
-                               initial_roll, initial_position, initial_velocity,
-                               reference_frame_selector),
-                           NULL, NULL);
+    uint8_t data[41];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)wait_for_run_command);
+    mip_put_8(data + 2, (uint8_t)initial_condition_source);
+    mip_put_8(data + 3, (uint8_t)auto_heading_alignment_selector);
+    mip_put_float(data + 4, &initial_heading);
+    mip_put_float(data + 8, &initial_pitch);
+    mip_put_float(data + 12, &initial_roll);
+    mip_put_8(data + 40, (uint8_t)reference_frame_selector);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 16 + 4 * i, &initial_position[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 28 + 4 * i, &initial_velocity[i]);
+    }
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 41, NULL,
+                           NULL);
 }
 
 /**
@@ -3244,9 +3490,9 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
  */
 static inline struct mip_result mip_call_filter_initialization_config_read(
     struct mip_device *device, struct mip_filter_initialization_config_response *response) {
-    struct mip_filter_initialization_config command;
-    return mip_device_call(device, &mip_filter_initialization_config_command,
-                           mip_filter_initialization_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1,
                            &mip_filter_initialization_config_response_codec, response);
 }
 
@@ -3256,17 +3502,17 @@ static inline struct mip_result mip_call_filter_initialization_config_read(
  */
 static inline struct mip_result
 mip_call_filter_initialization_config_save(struct mip_device *device) {
-    struct mip_filter_initialization_config command;
-    return mip_device_call(device, &mip_filter_initialization_config_command,
-                           mip_filter_initialization_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
 }
 
 /** Navigation filter initialization: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_initialization_config_load(struct mip_device *device) {
-    struct mip_filter_initialization_config command;
-    return mip_device_call(device, &mip_filter_initialization_config_command,
-                           mip_filter_initialization_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3274,9 +3520,9 @@ mip_call_filter_initialization_config_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_initialization_config_default(struct mip_device *device) {
-    struct mip_filter_initialization_config command;
-    return mip_device_call(device, &mip_filter_initialization_config_command,
-                           mip_filter_initialization_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_initialization_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -3292,6 +3538,8 @@ static inline struct mip_result mip_call_filter_initialization_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_adaptive_filter_options_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Adaptive filter
@@ -3317,18 +3565,20 @@ static inline mip_error mip_send_filter_adaptive_filter_options(
  */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
     struct mip_device *device, enum mip_filter_adaptive_level level, uint16_t time_limit) {
-    struct mip_filter_adaptive_filter_options command;
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
-                           mip_filter_adaptive_filter_options_write(&command, level, time_limit),
-                           NULL, NULL);
+    uint8_t data[4];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)level);
+    mip_put_16(data + 2, (uint16_t)time_limit);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 4, NULL,
+                           NULL);
 }
 
 /** Adaptive filter control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
     struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
-    struct mip_filter_adaptive_filter_options command;
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
-                           mip_filter_adaptive_filter_options_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1,
                            &mip_filter_adaptive_filter_options_response_codec, response);
 }
 
@@ -3338,25 +3588,28 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
  */
 static inline struct mip_result
 mip_call_filter_adaptive_filter_options_save(struct mip_device *device) {
-    struct mip_filter_adaptive_filter_options command;
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
-                           mip_filter_adaptive_filter_options_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Adaptive filter control: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_adaptive_filter_options_load(struct mip_device *device) {
-    struct mip_filter_adaptive_filter_options command;
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
-                           mip_filter_adaptive_filter_options_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Adaptive filter control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
-    struct mip_filter_adaptive_filter_options command;
-    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
-                           mip_filter_adaptive_filter_options_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_adaptive_filter_options_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3372,6 +3625,8 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_multi_antenna_offset_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS multi-antenna
@@ -3394,10 +3649,13 @@ static inline mip_error mip_send_filter_multi_antenna_offset(
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
     struct mip_device *device, uint8_t receiver_id, const float antenna_offset[3]) {
-    struct mip_filter_multi_antenna_offset command;
-    return mip_device_call(
-        device, &mip_filter_multi_antenna_offset_command,
-        mip_filter_multi_antenna_offset_write(&command, receiver_id, antenna_offset), NULL, NULL);
+    uint8_t data[14];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)receiver_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 2 + 4 * i, &antenna_offset[i]);
+    }
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 14, NULL, NULL);
 }
 
 /**
@@ -3408,9 +3666,10 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
 static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     struct mip_device *device, uint8_t receiver_id,
     struct mip_filter_multi_antenna_offset_response *response) {
-    struct mip_filter_multi_antenna_offset command;
-    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
-                           mip_filter_multi_antenna_offset_read(&command, receiver_id),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)receiver_id);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2,
                            &mip_filter_multi_antenna_offset_response_codec, response);
 }
 
@@ -3422,9 +3681,10 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct mip_device *device,
                                                                           uint8_t receiver_id) {
-    struct mip_filter_multi_antenna_offset command;
-    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
-                           mip_filter_multi_antenna_offset_save(&command, receiver_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)receiver_id);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3434,9 +3694,10 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct mip_device *device,
                                                                           uint8_t receiver_id) {
-    struct mip_filter_multi_antenna_offset command;
-    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
-                           mip_filter_multi_antenna_offset_load(&command, receiver_id), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)receiver_id);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3446,10 +3707,10 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct
  */
 static inline struct mip_result
 mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t receiver_id) {
-    struct mip_filter_multi_antenna_offset command;
-    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
-                           mip_filter_multi_antenna_offset_default(&command, receiver_id), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)receiver_id);
+    return mip_device_send(device, &mip_filter_multi_antenna_offset_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3465,6 +3726,8 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_relative_position_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_relative_position_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Relative position
@@ -3496,11 +3759,15 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
     struct mip_device *device, enum mip_filter_relative_position_source source,
     enum mip_filter_reference_frame reference_frame_selector,
     const double reference_coordinates[3]) {
-    struct mip_filter_relative_position_config command;
-    return mip_device_call(device, &mip_filter_relative_position_config_command,
-                           mip_filter_relative_position_config_write(
-                               &command, source, reference_frame_selector, reference_coordinates),
-                           NULL, NULL);
+    uint8_t data[27];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)source);
+    mip_put_8(data + 2, (uint8_t)reference_frame_selector);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 3 + 8 * i, &reference_coordinates[i]);
+    }
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 27, NULL,
+                           NULL);
 }
 
 /**
@@ -3509,9 +3776,9 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
  */
 static inline struct mip_result mip_call_filter_relative_position_config_read(
     struct mip_device *device, struct mip_filter_relative_position_config_response *response) {
-    struct mip_filter_relative_position_config command;
-    return mip_device_call(device, &mip_filter_relative_position_config_command,
-                           mip_filter_relative_position_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1,
                            &mip_filter_relative_position_config_response_codec, response);
 }
 
@@ -3521,17 +3788,19 @@ static inline struct mip_result mip_call_filter_relative_position_config_read(
  */
 static inline struct mip_result
 mip_call_filter_relative_position_config_save(struct mip_device *device) {
-    struct mip_filter_relative_position_config command;
-    return mip_device_call(device, &mip_filter_relative_position_config_command,
-                           mip_filter_relative_position_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Relative position configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_relative_position_config_load(struct mip_device *device) {
-    struct mip_filter_relative_position_config command;
-    return mip_device_call(device, &mip_filter_relative_position_config_command,
-                           mip_filter_relative_position_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3539,9 +3808,10 @@ mip_call_filter_relative_position_config_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_relative_position_config_default(struct mip_device *device) {
-    struct mip_filter_relative_position_config command;
-    return mip_device_call(device, &mip_filter_relative_position_config_command,
-                           mip_filter_relative_position_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_relative_position_config_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3557,6 +3827,8 @@ static inline struct mip_result mip_call_filter_relative_position_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_reference_point_lever_arm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Reference point lever
@@ -3582,11 +3854,14 @@ static inline mip_error mip_send_filter_reference_point_lever_arm(
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
     struct mip_device *device, enum mip_filter_reference_point reference_point,
     const float lever_arm_offset[3]) {
-    struct mip_filter_reference_point_lever_arm command;
-    return mip_device_call(
-        device, &mip_filter_reference_point_lever_arm_command,
-        mip_filter_reference_point_lever_arm_write(&command, reference_point, lever_arm_offset),
-        NULL, NULL);
+    uint8_t data[14];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)reference_point);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 2 + 4 * i, &lever_arm_offset[i]);
+    }
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 14, NULL,
+                           NULL);
 }
 
 /**
@@ -3594,9 +3869,9 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
     struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
-    struct mip_filter_reference_point_lever_arm command;
-    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
-                           mip_filter_reference_point_lever_arm_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1,
                            &mip_filter_reference_point_lever_arm_response_codec, response);
 }
 
@@ -3606,25 +3881,28 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
  */
 static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_save(struct mip_device *device) {
-    struct mip_filter_reference_point_lever_arm command;
-    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
-                           mip_filter_reference_point_lever_arm_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Reference point lever arm: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_load(struct mip_device *device) {
-    struct mip_filter_reference_point_lever_arm command;
-    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
-                           mip_filter_reference_point_lever_arm_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Reference point lever arm: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
-    struct mip_filter_reference_point_lever_arm command;
-    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
-                           mip_filter_reference_point_lever_arm_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_reference_point_lever_arm_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3640,6 +3918,8 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_speed_measurement_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement.
@@ -3662,10 +3942,12 @@ static inline mip_error mip_send_filter_speed_measurement(
 static inline struct mip_result mip_call_filter_speed_measurement(struct mip_device *device,
                                                                   float tow, float speed,
                                                                   float speed_uncertainty) {
-    struct mip_filter_speed_measurement command;
-    return mip_device_call(
-        device, &mip_filter_speed_measurement_command,
-        mip_filter_speed_measurement_make(&command, tow, speed, speed_uncertainty), NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)1);
+    mip_put_float(data + 1, &tow);
+    mip_put_float(data + 5, &speed);
+    mip_put_float(data + 9, &speed_uncertainty);
+    return mip_device_send(device, &mip_filter_speed_measurement_exchange, data, 13, NULL, NULL);
 }
 
 /**
@@ -3679,6 +3961,8 @@ static inline struct mip_result mip_call_filter_speed_measurement_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_speed_lever_arm_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement
@@ -3700,10 +3984,13 @@ static inline mip_error mip_send_filter_speed_lever_arm(
  */
 static inline struct mip_result
 mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lever_arm_offset[3]) {
-    struct mip_filter_speed_lever_arm command;
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
-                           mip_filter_speed_lever_arm_write(&command, lever_arm_offset), NULL,
-                           NULL);
+    uint8_t data[14];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)1);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 2 + 4 * i, &lever_arm_offset[i]);
+    }
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 14, NULL, NULL);
 }
 
 /**
@@ -3711,9 +3998,10 @@ mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lev
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_read(
     struct mip_device *device, struct mip_filter_speed_lever_arm_response *response) {
-    struct mip_filter_speed_lever_arm command;
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
-                           mip_filter_speed_lever_arm_read(&command),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)1);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2,
                            &mip_filter_speed_lever_arm_response_codec, response);
 }
 
@@ -3722,23 +4010,26 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_save(struct mip_device *device) {
-    struct mip_filter_speed_lever_arm command;
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
-                           mip_filter_speed_lever_arm_save(&command), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)1);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
 }
 
 /** Speed measurement lever arm: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_load(struct mip_device *device) {
-    struct mip_filter_speed_lever_arm command;
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
-                           mip_filter_speed_lever_arm_load(&command), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)1);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
 }
 
 /** Speed measurement lever arm: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct mip_device *device) {
-    struct mip_filter_speed_lever_arm command;
-    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
-                           mip_filter_speed_lever_arm_default(&command), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)1);
+    return mip_device_send(device, &mip_filter_speed_lever_arm_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -3754,6 +4045,8 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
@@ -3775,9 +4068,11 @@ static inline mip_error mip_send_filter_vertical_gyro_constraint(
  */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_t enable) {
-    struct mip_filter_vertical_gyro_constraint command;
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
-                           mip_filter_vertical_gyro_constraint_write(&command, enable), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 2, NULL,
+                           NULL);
 }
 
 /**
@@ -3785,9 +4080,9 @@ mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_
  */
 static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
     struct mip_device *device, struct mip_filter_vertical_gyro_constraint_response *response) {
-    struct mip_filter_vertical_gyro_constraint command;
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
-                           mip_filter_vertical_gyro_constraint_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1,
                            &mip_filter_vertical_gyro_constraint_response_codec, response);
 }
 
@@ -3797,25 +4092,28 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
  */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_save(struct mip_device *device) {
-    struct mip_filter_vertical_gyro_constraint command;
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
-                           mip_filter_vertical_gyro_constraint_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Vertical gyro constraint: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_load(struct mip_device *device) {
-    struct mip_filter_vertical_gyro_constraint command;
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
-                           mip_filter_vertical_gyro_constraint_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Vertical gyro constraint: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_default(struct mip_device *device) {
-    struct mip_filter_vertical_gyro_constraint command;
-    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
-                           mip_filter_vertical_gyro_constraint_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_vertical_gyro_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3831,6 +4129,8 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
@@ -3852,9 +4152,10 @@ static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
  */
 static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint8_t enable) {
-    struct mip_filter_wheeled_vehicle_constraint command;
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
-                           mip_filter_wheeled_vehicle_constraint_write(&command, enable), NULL,
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 2, NULL,
                            NULL);
 }
 
@@ -3863,9 +4164,9 @@ mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
     struct mip_device *device, struct mip_filter_wheeled_vehicle_constraint_response *response) {
-    struct mip_filter_wheeled_vehicle_constraint command;
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
-                           mip_filter_wheeled_vehicle_constraint_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1,
                            &mip_filter_wheeled_vehicle_constraint_response_codec, response);
 }
 
@@ -3875,25 +4176,28 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
  */
 static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_save(struct mip_device *device) {
-    struct mip_filter_wheeled_vehicle_constraint command;
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
-                           mip_filter_wheeled_vehicle_constraint_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Wheeled vehicle constraint: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_load(struct mip_device *device) {
-    struct mip_filter_wheeled_vehicle_constraint command;
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
-                           mip_filter_wheeled_vehicle_constraint_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** Wheeled vehicle constraint: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_default(struct mip_device *device) {
-    struct mip_filter_wheeled_vehicle_constraint command;
-    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
-                           mip_filter_wheeled_vehicle_constraint_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_wheeled_vehicle_constraint_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3909,6 +4213,8 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
@@ -3932,10 +4238,12 @@ static inline mip_error mip_send_filter_gnss_antenna_calibration(
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
     struct mip_device *device, uint8_t enable, float max_offset) {
-    struct mip_filter_gnss_antenna_calibration command;
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
-                           mip_filter_gnss_antenna_calibration_write(&command, enable, max_offset),
-                           NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_float(data + 2, &max_offset);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 6, NULL,
+                           NULL);
 }
 
 /**
@@ -3944,9 +4252,9 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
     struct mip_device *device, struct mip_filter_gnss_antenna_calibration_response *response) {
-    struct mip_filter_gnss_antenna_calibration command;
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
-                           mip_filter_gnss_antenna_calibration_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1,
                            &mip_filter_gnss_antenna_calibration_response_codec, response);
 }
 
@@ -3956,17 +4264,19 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
  */
 static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_save(struct mip_device *device) {
-    struct mip_filter_gnss_antenna_calibration command;
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
-                           mip_filter_gnss_antenna_calibration_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /** GNSS antenna offset calibration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_load(struct mip_device *device) {
-    struct mip_filter_gnss_antenna_calibration command;
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
-                           mip_filter_gnss_antenna_calibration_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**
@@ -3974,9 +4284,10 @@ mip_call_filter_gnss_antenna_calibration_load(struct mip_device *device) {
  */
 static inline struct mip_result
 mip_call_filter_gnss_antenna_calibration_default(struct mip_device *device) {
-    struct mip_filter_gnss_antenna_calibration command;
-    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
-                           mip_filter_gnss_antenna_calibration_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_filter_gnss_antenna_calibration_exchange, data, 1, NULL,
+                           NULL);
 }
 
 /**

@@ -9,7 +9,15 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82, 0x01, MIP_DATA, 26, sizeof(struct mip_filter_data_llh_position), 0, program_llh_position};
+    0x82,
+    0x01,
+    MIP_DATA,
+    26,
+    sizeof(struct mip_filter_data_llh_position),
+    0,
+    sizeof(struct mip_filter_data_llh_position) >= 8,
+    program_llh_position,
+    NULL};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ned_velocity, north)),
@@ -18,7 +26,15 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_filter_data_ned_velocity_codec = {
-    0x82, 0x02, MIP_DATA, 14, sizeof(struct mip_filter_data_ned_velocity), 0, program_ned_velocity};
+    0x82,
+    0x02,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_ned_velocity),
+    0,
+    sizeof(struct mip_filter_data_ned_velocity) >= 8,
+    program_ned_velocity,
+    NULL};
 
 static const uint8_t program_attitude_quaternion[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_attitude_quaternion, q)),
@@ -33,7 +49,9 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     18,
     sizeof(struct mip_filter_data_attitude_quaternion),
     0,
-    program_attitude_quaternion};
+    sizeof(struct mip_filter_data_attitude_quaternion) >= 8,
+    program_attitude_quaternion,
+    NULL};
 
 static const uint8_t program_attitude_dcm[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_attitude_dcm, dcm)),
@@ -42,7 +60,15 @@ static const uint8_t program_attitude_dcm[] = {
 };
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82, 0x04, MIP_DATA, 38, sizeof(struct mip_filter_data_attitude_dcm), 0, program_attitude_dcm};
+    0x82,
+    0x04,
+    MIP_DATA,
+    38,
+    sizeof(struct mip_filter_data_attitude_dcm),
+    0,
+    sizeof(struct mip_filter_data_attitude_dcm) >= 8,
+    program_attitude_dcm,
+    NULL};
 
 static const uint8_t program_euler_angles[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_euler_angles, roll)),
@@ -51,7 +77,15 @@ static const uint8_t program_euler_angles[] = {
 };
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82, 0x05, MIP_DATA, 14, sizeof(struct mip_filter_data_euler_angles), 0, program_euler_angles};
+    0x82,
+    0x05,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_euler_angles),
+    0,
+    sizeof(struct mip_filter_data_euler_angles) >= 8,
+    program_euler_angles,
+    NULL};
 
 static const uint8_t program_gyro_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_bias, bias)),
@@ -60,7 +94,15 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82, 0x06, MIP_DATA, 14, sizeof(struct mip_filter_data_gyro_bias), 0, program_gyro_bias};
+    0x82,
+    0x06,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gyro_bias),
+    0,
+    sizeof(struct mip_filter_data_gyro_bias) >= 8,
+    program_gyro_bias,
+    NULL};
 
 static const uint8_t program_accel_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_bias, bias)),
@@ -69,7 +111,15 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82, 0x07, MIP_DATA, 14, sizeof(struct mip_filter_data_accel_bias), 0, program_accel_bias};
+    0x82,
+    0x07,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_accel_bias),
+    0,
+    sizeof(struct mip_filter_data_accel_bias) >= 8,
+    program_accel_bias,
+    NULL};
 
 static const uint8_t program_llh_position_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_llh_position_uncertainty, north)),
@@ -84,7 +134,9 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
     0,
-    program_llh_position_uncertainty};
+    sizeof(struct mip_filter_data_llh_position_uncertainty) >= 8,
+    program_llh_position_uncertainty,
+    NULL};
 
 static const uint8_t program_ned_velocity_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ned_velocity_uncertainty, north)),
@@ -99,7 +151,9 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
     0,
-    program_ned_velocity_uncertainty};
+    sizeof(struct mip_filter_data_ned_velocity_uncertainty) >= 8,
+    program_ned_velocity_uncertainty,
+    NULL};
 
 static const uint8_t program_euler_angles_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_euler_angles_uncertainty, roll)),
@@ -114,7 +168,9 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
     0,
-    program_euler_angles_uncertainty};
+    sizeof(struct mip_filter_data_euler_angles_uncertainty) >= 8,
+    program_euler_angles_uncertainty,
+    NULL};
 
 static const uint8_t program_gyro_bias_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_bias_uncertainty, bias_uncertainty)),
@@ -129,7 +185,9 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
     0,
-    program_gyro_bias_uncertainty};
+    sizeof(struct mip_filter_data_gyro_bias_uncertainty) >= 8,
+    program_gyro_bias_uncertainty,
+    NULL};
 
 static const uint8_t program_accel_bias_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_bias_uncertainty, bias_uncertainty)),
@@ -144,7 +202,9 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
     0,
-    program_accel_bias_uncertainty};
+    sizeof(struct mip_filter_data_accel_bias_uncertainty) >= 8,
+    program_accel_bias_uncertainty,
+    NULL};
 
 static const uint8_t program_linear_accel[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_linear_accel, accel)),
@@ -153,7 +213,15 @@ static const uint8_t program_linear_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82, 0x0D, MIP_DATA, 14, sizeof(struct mip_filter_data_linear_accel), 0, program_linear_accel};
+    0x82,
+    0x0D,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_linear_accel),
+    0,
+    sizeof(struct mip_filter_data_linear_accel) >= 8,
+    program_linear_accel,
+    NULL};
 
 static const uint8_t program_comp_angular_rate[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_comp_angular_rate, gyro)),
@@ -168,7 +236,9 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     14,
     sizeof(struct mip_filter_data_comp_angular_rate),
     0,
-    program_comp_angular_rate};
+    sizeof(struct mip_filter_data_comp_angular_rate) >= 8,
+    program_comp_angular_rate,
+    NULL};
 
 static const uint8_t program_wgs84_gravity_magnitude[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_wgs84_gravity_magnitude, gravity_magnitude)),
@@ -183,15 +253,24 @@ const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
     6,
     sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
     0,
-    program_wgs84_gravity_magnitude};
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude) >= 8,
+    program_wgs84_gravity_magnitude,
+    NULL};
 
 static const uint8_t program_status[] = {
     MIP_16_BITS(3, MIP_AT(struct mip_filter_data_status, filter_state)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_status_codec = {
-    0x82, 0x10, MIP_DATA, 6, sizeof(struct mip_filter_data_status), 0, program_status};
+const struct mip_codec mip_filter_data_status_codec = {0x82,
+                                                       0x10,
+                                                       MIP_DATA,
+                                                       6,
+                                                       sizeof(struct mip_filter_data_status),
+                                                       0,
+                                                       sizeof(struct mip_filter_data_status) >= 8,
+                                                       program_status,
+                                                       NULL};
 
 static const uint8_t program_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_data_timestamp, tow)),
@@ -200,7 +279,15 @@ static const uint8_t program_timestamp[] = {
 };
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82, 0x11, MIP_DATA, 12, sizeof(struct mip_filter_data_timestamp), 0, program_timestamp};
+    0x82,
+    0x11,
+    MIP_DATA,
+    12,
+    sizeof(struct mip_filter_data_timestamp),
+    0,
+    sizeof(struct mip_filter_data_timestamp) >= 8,
+    program_timestamp,
+    NULL};
 
 static const uint8_t program_quaternion_attitude_uncertainty[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_quaternion_attitude_uncertainty, q)),
@@ -215,7 +302,9 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     18,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
     0,
-    program_quaternion_attitude_uncertainty};
+    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty) >= 8,
+    program_quaternion_attitude_uncertainty,
+    NULL};
 
 static const uint8_t program_gravity_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gravity_vector, gravity)),
@@ -230,7 +319,9 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     14,
     sizeof(struct mip_filter_data_gravity_vector),
     0,
-    program_gravity_vector};
+    sizeof(struct mip_filter_data_gravity_vector) >= 8,
+    program_gravity_vector,
+    NULL};
 
 static const uint8_t program_heading_update_state[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_filter_data_heading_update_state, heading)),
@@ -245,7 +336,9 @@ const struct mip_codec mip_filter_data_heading_update_state_codec = {
     12,
     sizeof(struct mip_filter_data_heading_update_state),
     0,
-    program_heading_update_state};
+    sizeof(struct mip_filter_data_heading_update_state) >= 8,
+    program_heading_update_state,
+    NULL};
 
 static const uint8_t program_magnetic_model[] = {
     MIP_32_BITS(5, MIP_AT(struct mip_filter_data_magnetic_model, intensity_north)),
@@ -260,7 +353,9 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     22,
     sizeof(struct mip_filter_data_magnetic_model),
     0,
-    program_magnetic_model};
+    sizeof(struct mip_filter_data_magnetic_model) >= 8,
+    program_magnetic_model,
+    NULL};
 
 static const uint8_t program_gyro_scale_factor[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_scale_factor, scale_factor)),
@@ -275,7 +370,9 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor),
     0,
-    program_gyro_scale_factor};
+    sizeof(struct mip_filter_data_gyro_scale_factor) >= 8,
+    program_gyro_scale_factor,
+    NULL};
 
 static const uint8_t program_accel_scale_factor[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_scale_factor, scale_factor)),
@@ -290,7 +387,9 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     14,
     sizeof(struct mip_filter_data_accel_scale_factor),
     0,
-    program_accel_scale_factor};
+    sizeof(struct mip_filter_data_accel_scale_factor) >= 8,
+    program_accel_scale_factor,
+    NULL};
 
 static const uint8_t program_gyro_scale_factor_uncertainty[] = {
     MIP_32_BITS(
@@ -306,7 +405,9 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
     0,
-    program_gyro_scale_factor_uncertainty};
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty) >= 8,
+    program_gyro_scale_factor_uncertainty,
+    NULL};
 
 static const uint8_t program_accel_scale_factor_uncertainty[] = {
     MIP_32_BITS(
@@ -322,7 +423,9 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
     0,
-    program_accel_scale_factor_uncertainty};
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty) >= 8,
+    program_accel_scale_factor_uncertainty,
+    NULL};
 
 static const uint8_t program_mag_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_bias, bias)),
@@ -330,8 +433,16 @@ static const uint8_t program_mag_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_mag_bias_codec = {
-    0x82, 0x1A, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_bias), 0, program_mag_bias};
+const struct mip_codec mip_filter_data_mag_bias_codec = {0x82,
+                                                         0x1A,
+                                                         MIP_DATA,
+                                                         14,
+                                                         sizeof(struct mip_filter_data_mag_bias),
+                                                         0,
+                                                         sizeof(struct mip_filter_data_mag_bias) >=
+                                                             8,
+                                                         program_mag_bias,
+                                                         NULL};
 
 static const uint8_t program_mag_bias_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_bias_uncertainty, bias_uncertainty)),
@@ -346,7 +457,9 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
     0,
-    program_mag_bias_uncertainty};
+    sizeof(struct mip_filter_data_mag_bias_uncertainty) >= 8,
+    program_mag_bias_uncertainty,
+    NULL};
 
 static const uint8_t program_comp_accel[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_comp_accel, accel)),
@@ -355,7 +468,15 @@ static const uint8_t program_comp_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_comp_accel_codec = {
-    0x82, 0x1C, MIP_DATA, 14, sizeof(struct mip_filter_data_comp_accel), 0, program_comp_accel};
+    0x82,
+    0x1C,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_comp_accel),
+    0,
+    sizeof(struct mip_filter_data_comp_accel) >= 8,
+    program_comp_accel,
+    NULL};
 
 static const uint8_t program_standard_atmosphere[] = {
     MIP_32_BITS(5, MIP_AT(struct mip_filter_data_standard_atmosphere, geometric_altitude)),
@@ -370,7 +491,9 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     22,
     sizeof(struct mip_filter_data_standard_atmosphere),
     0,
-    program_standard_atmosphere};
+    sizeof(struct mip_filter_data_standard_atmosphere) >= 8,
+    program_standard_atmosphere,
+    NULL};
 
 static const uint8_t program_pressure_altitude[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_pressure_altitude, pressure_altitude)),
@@ -385,7 +508,9 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     6,
     sizeof(struct mip_filter_data_pressure_altitude),
     0,
-    program_pressure_altitude};
+    sizeof(struct mip_filter_data_pressure_altitude) >= 8,
+    program_pressure_altitude,
+    NULL};
 
 static const uint8_t program_density_altitude[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_density_altitude, density_altitude)),
@@ -400,7 +525,9 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     6,
     sizeof(struct mip_filter_data_density_altitude),
     0,
-    program_density_altitude};
+    sizeof(struct mip_filter_data_density_altitude) >= 8,
+    program_density_altitude,
+    NULL};
 
 static const uint8_t program_mag_offset[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_offset, hard_iron)),
@@ -409,7 +536,15 @@ static const uint8_t program_mag_offset[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_offset_codec = {
-    0x82, 0x25, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_offset), 0, program_mag_offset};
+    0x82,
+    0x25,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_mag_offset),
+    0,
+    sizeof(struct mip_filter_data_mag_offset) >= 8,
+    program_mag_offset,
+    NULL};
 
 static const uint8_t program_mag_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_mag_matrix, soft_iron)),
@@ -418,7 +553,15 @@ static const uint8_t program_mag_matrix[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_matrix_codec = {
-    0x82, 0x26, MIP_DATA, 38, sizeof(struct mip_filter_data_mag_matrix), 0, program_mag_matrix};
+    0x82,
+    0x26,
+    MIP_DATA,
+    38,
+    sizeof(struct mip_filter_data_mag_matrix),
+    0,
+    sizeof(struct mip_filter_data_mag_matrix) >= 8,
+    program_mag_matrix,
+    NULL};
 
 static const uint8_t program_mag_offset_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_offset_uncertainty, hard_iron_uncertainty)),
@@ -433,7 +576,9 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_mag_offset_uncertainty),
     0,
-    program_mag_offset_uncertainty};
+    sizeof(struct mip_filter_data_mag_offset_uncertainty) >= 8,
+    program_mag_offset_uncertainty,
+    NULL};
 
 static const uint8_t program_mag_matrix_uncertainty[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_mag_matrix_uncertainty, soft_iron_uncertainty)),
@@ -448,7 +593,9 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     38,
     sizeof(struct mip_filter_data_mag_matrix_uncertainty),
     0,
-    program_mag_matrix_uncertainty};
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty) >= 8,
+    program_mag_matrix_uncertainty,
+    NULL};
 
 static const uint8_t program_mag_covariance_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_mag_covariance_matrix, covariance)),
@@ -463,7 +610,9 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     38,
     sizeof(struct mip_filter_data_mag_covariance_matrix),
     0,
-    program_mag_covariance_matrix};
+    sizeof(struct mip_filter_data_mag_covariance_matrix) >= 8,
+    program_mag_covariance_matrix,
+    NULL};
 
 static const uint8_t program_mag_residual_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_residual_vector, residual)),
@@ -478,7 +627,9 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     14,
     sizeof(struct mip_filter_data_mag_residual_vector),
     0,
-    program_mag_residual_vector};
+    sizeof(struct mip_filter_data_mag_residual_vector) >= 8,
+    program_mag_residual_vector,
+    NULL};
 
 static const uint8_t program_antenna_offset_correction[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_correction, offset)),
@@ -493,7 +644,9 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     14,
     sizeof(struct mip_filter_data_antenna_offset_correction),
     0,
-    program_antenna_offset_correction};
+    sizeof(struct mip_filter_data_antenna_offset_correction) >= 8,
+    program_antenna_offset_correction,
+    NULL};
 
 static const uint8_t program_antenna_offset_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_uncertainty, offset_uncertainty)),
@@ -508,7 +661,9 @@ const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_antenna_offset_uncertainty),
     0,
-    program_antenna_offset_uncertainty};
+    sizeof(struct mip_filter_data_antenna_offset_uncertainty) >= 8,
+    program_antenna_offset_uncertainty,
+    NULL};
 
 static const uint8_t program_clock_correction[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_clock_correction, receiver_id)),
@@ -524,7 +679,9 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     11,
     sizeof(struct mip_filter_data_clock_correction),
     0,
-    program_clock_correction};
+    false,
+    program_clock_correction,
+    NULL};
 
 static const uint8_t program_clock_correction_uncertainty[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_clock_correction_uncertainty, receiver_id)),
@@ -540,7 +697,9 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     11,
     sizeof(struct mip_filter_data_clock_correction_uncertainty),
     0,
-    program_clock_correction_uncertainty};
+    false,
+    program_clock_correction_uncertainty,
+    NULL};
 
 static const uint8_t program_multi_antenna_offset_correction[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_multi_antenna_offset_correction, receiver_id)),
@@ -556,7 +715,9 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
     0,
-    program_multi_antenna_offset_correction};
+    false,
+    program_multi_antenna_offset_correction,
+    NULL};
 
 static const uint8_t program_multi_antenna_offset_uncertainty[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_multi_antenna_offset_uncertainty, receiver_id)),
@@ -573,7 +734,9 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = 
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
     0,
-    program_multi_antenna_offset_uncertainty};
+    false,
+    program_multi_antenna_offset_uncertainty,
+    NULL};
 
 static const uint8_t program_ecef_position_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_position_uncertainty, position_uncertainty)),
@@ -588,7 +751,9 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
     0,
-    program_ecef_position_uncertainty};
+    sizeof(struct mip_filter_data_ecef_position_uncertainty) >= 8,
+    program_ecef_position_uncertainty,
+    NULL};
 
 static const uint8_t program_ecef_velocity_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_velocity_uncertainty, velocity_uncertainty)),
@@ -603,7 +768,9 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
     0,
-    program_ecef_velocity_uncertainty};
+    sizeof(struct mip_filter_data_ecef_velocity_uncertainty) >= 8,
+    program_ecef_velocity_uncertainty,
+    NULL};
 
 static const uint8_t program_ecef_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_filter_data_ecef_position, position)),
@@ -618,7 +785,9 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     26,
     sizeof(struct mip_filter_data_ecef_position),
     0,
-    program_ecef_position};
+    sizeof(struct mip_filter_data_ecef_position) >= 8,
+    program_ecef_position,
+    NULL};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_velocity, velocity)),
@@ -633,7 +802,9 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     14,
     sizeof(struct mip_filter_data_ecef_velocity),
     0,
-    program_ecef_velocity};
+    sizeof(struct mip_filter_data_ecef_velocity) >= 8,
+    program_ecef_velocity,
+    NULL};
 
 static const uint8_t program_ned_relative_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_filter_data_ned_relative_position, relative_position)),
@@ -648,7 +819,9 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     26,
     sizeof(struct mip_filter_data_ned_relative_position),
     0,
-    program_ned_relative_position};
+    sizeof(struct mip_filter_data_ned_relative_position) >= 8,
+    program_ned_relative_position,
+    NULL};
 
 static const uint8_t program_gnss_position_aiding_status[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_gnss_position_aiding_status, receiver_id)),
@@ -665,7 +838,9 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     15,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
     0,
-    program_gnss_position_aiding_status};
+    false,
+    program_gnss_position_aiding_status,
+    NULL};
 
 static const uint8_t program_gnss_attitude_aiding_status[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_gnss_attitude_aiding_status, tow)),
@@ -681,7 +856,9 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     14,
     sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
     0,
-    program_gnss_attitude_aiding_status};
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status) >= 8,
+    program_gnss_attitude_aiding_status,
+    NULL};
 
 static const uint8_t program_heading_aiding_status[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_heading_aiding_status, tow)),
@@ -697,7 +874,9 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     13,
     sizeof(struct mip_filter_data_heading_aiding_status),
     0,
-    program_heading_aiding_status};
+    false,
+    program_heading_aiding_status,
+    NULL};
 
 static const uint8_t program_aiding_measurement_summary[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_aiding_measurement_summary, tow)),
@@ -712,7 +891,9 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     7,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
     0,
-    program_aiding_measurement_summary};
+    sizeof(struct mip_filter_data_aiding_measurement_summary) >= 8,
+    program_aiding_measurement_summary,
+    NULL};
 
 static const uint8_t program_odometer_scale_factor_error[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_error, scale_factor_error)),
@@ -727,7 +908,9 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     6,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
     0,
-    program_odometer_scale_factor_error};
+    sizeof(struct mip_filter_data_odometer_scale_factor_error) >= 8,
+    program_odometer_scale_factor_error,
+    NULL};
 
 static const uint8_t program_odometer_scale_factor_uncertainty[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_uncertainty,
@@ -743,7 +926,9 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec =
     6,
     sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
     0,
-    program_odometer_scale_factor_uncertainty};
+    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty) >= 8,
+    program_odometer_scale_factor_uncertainty,
+    NULL};
 
 static const uint8_t program_gnss_dual_antenna_status[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gnss_dual_antenna_status, tow)),
@@ -759,7 +944,9 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     17,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
     0,
-    program_gnss_dual_antenna_status};
+    false,
+    program_gnss_dual_antenna_status,
+    NULL};
 
 static const uint8_t program_aiding_frame_config_error[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_config_error, frame_id)),
@@ -774,7 +961,9 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     29,
     sizeof(struct mip_filter_data_aiding_frame_config_error),
     0,
-    program_aiding_frame_config_error};
+    false,
+    program_aiding_frame_config_error,
+    NULL};
 
 static const uint8_t program_aiding_frame_error_uncertainty[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_error_uncertainty, frame_id)),
@@ -790,4 +979,6 @@ const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
     25,
     sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
     0,
-    program_aiding_frame_error_uncertainty};
+    false,
+    program_aiding_frame_error_uncertainty,
+    NULL};

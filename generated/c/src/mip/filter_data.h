@@ -460,11 +460,11 @@ extern MIP_API const struct mip_codec mip_filter_data_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_decode(
     struct mip_filter_data_llh_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_llh_position_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_llh_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
 }
@@ -487,7 +487,7 @@ static inline mip_error mip_filter_data_llh_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode_inline(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x01, 26, &data);
@@ -543,11 +543,11 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_decode(
     struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_velocity_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_velocity_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
 }
@@ -570,7 +570,7 @@ static inline mip_error mip_filter_data_ned_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x02, 14, &data);
@@ -619,11 +619,12 @@ extern MIP_API const struct mip_codec mip_filter_data_attitude_quaternion_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_quaternion_decode(
     struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_attitude_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_attitude_quaternion_codec, 0x03, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_attitude_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
 }
@@ -646,7 +647,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x03, 18, &data);
@@ -696,11 +697,11 @@ extern MIP_API const struct mip_codec mip_filter_data_attitude_dcm_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_dcm_decode(
     struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_attitude_dcm_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_attitude_dcm_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_attitude_dcm_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
 }
@@ -723,7 +724,7 @@ static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x04, 38, &data);
@@ -786,11 +787,11 @@ extern MIP_API const struct mip_codec mip_filter_data_euler_angles_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_decode(
     struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_euler_angles_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_euler_angles_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_euler_angles_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
 }
@@ -813,7 +814,7 @@ static inline mip_error mip_filter_data_euler_angles_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_euler_angles_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode_inline(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x05, 14, &data);
@@ -860,11 +861,11 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
 }
@@ -887,7 +888,7 @@ static inline mip_error mip_filter_data_gyro_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x06, 14, &data);
@@ -933,11 +934,11 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_bias_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
 }
@@ -960,7 +961,7 @@ static inline mip_error mip_filter_data_accel_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode_inline(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x07, 14, &data);
@@ -1016,11 +1017,12 @@ extern MIP_API const struct mip_codec mip_filter_data_llh_position_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
     struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_llh_position_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_llh_position_uncertainty_codec, 0x08, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
 }
@@ -1043,7 +1045,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x08, 14, &data);
@@ -1099,11 +1101,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
     struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_velocity_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_velocity_uncertainty_codec, 0x09, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
 }
@@ -1126,7 +1129,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x09, 14, &data);
@@ -1186,11 +1189,12 @@ extern MIP_API const struct mip_codec mip_filter_data_euler_angles_uncertainty_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
     struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_euler_angles_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_euler_angles_uncertainty_codec, 0x0A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
 }
@@ -1213,7 +1217,7 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0A, 14, &data);
@@ -1260,11 +1264,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_uncertainty_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
     struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_bias_uncertainty_codec, 0x0B, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
 }
@@ -1287,7 +1292,7 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0B, 14, &data);
@@ -1333,11 +1338,12 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_bias_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
     struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_bias_uncertainty_codec, 0x0C, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
 }
@@ -1360,7 +1366,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0C, 14, &data);
@@ -1407,11 +1413,11 @@ extern MIP_API const struct mip_codec mip_filter_data_linear_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_linear_accel_decode(
     struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_linear_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_linear_accel_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_linear_accel_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
 }
@@ -1434,7 +1440,7 @@ static inline mip_error mip_filter_data_linear_accel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_linear_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode_inline(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0D, 14, &data);
@@ -1483,11 +1489,12 @@ extern MIP_API const struct mip_codec mip_filter_data_comp_angular_rate_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_angular_rate_decode(
     struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_comp_angular_rate_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_comp_angular_rate_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_comp_angular_rate_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
 }
@@ -1510,7 +1517,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0E, 14, &data);
@@ -1558,11 +1565,12 @@ extern MIP_API const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_co
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
     struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_wgs84_gravity_magnitude_codec, 0x0F, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
 }
@@ -1583,7 +1591,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x0F, 6, &data);
@@ -1666,12 +1674,12 @@ extern MIP_API const struct mip_codec mip_filter_data_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_status_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
+    const struct mip_filter_data_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_status_codec, value, builder);
 }
 
@@ -1692,7 +1700,7 @@ static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_status_encode_inline(
     const struct mip_filter_data_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x10, 6, &data);
@@ -1749,11 +1757,11 @@ extern MIP_API const struct mip_codec mip_filter_data_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_timestamp_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
 }
@@ -1775,7 +1783,7 @@ static inline mip_error mip_filter_data_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode_inline(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x11, 12, &data);
@@ -1822,11 +1830,12 @@ extern MIP_API const struct mip_codec mip_filter_data_quaternion_attitude_uncert
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
     struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_quaternion_attitude_uncertainty_codec, 0x12, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, builder);
@@ -1850,7 +1859,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -1899,11 +1908,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gravity_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gravity_vector_decode(
     struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gravity_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gravity_vector_codec, 0x13, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gravity_vector_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
 }
@@ -1926,7 +1936,7 @@ static inline mip_error mip_filter_data_gravity_vector_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gravity_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode_inline(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x13, 14, &data);
@@ -1984,11 +1994,12 @@ extern MIP_API const struct mip_codec mip_filter_data_heading_update_state_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_update_state_decode(
     struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_heading_update_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_heading_update_state_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_heading_update_state_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
 }
@@ -2011,7 +2022,7 @@ static inline mip_error mip_filter_data_heading_update_state_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_heading_update_state_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode_inline(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x14, 12, &data);
@@ -2079,11 +2090,12 @@ extern MIP_API const struct mip_codec mip_filter_data_magnetic_model_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_magnetic_model_decode(
     struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_magnetic_model_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_magnetic_model_codec, 0x15, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_magnetic_model_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
 }
@@ -2108,7 +2120,7 @@ static inline mip_error mip_filter_data_magnetic_model_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_magnetic_model_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode_inline(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x15, 22, &data);
@@ -2156,11 +2168,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_decode(
     struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_scale_factor_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_scale_factor_codec, 0x16, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_scale_factor_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
 }
@@ -2183,7 +2196,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x16, 14, &data);
@@ -2229,11 +2242,12 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_decode(
     struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_scale_factor_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_scale_factor_codec, 0x17, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_scale_factor_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
 }
@@ -2256,7 +2270,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x17, 14, &data);
@@ -2303,11 +2317,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_uncertai
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
     struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gyro_scale_factor_uncertainty_codec, 0x18, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, builder);
@@ -2331,7 +2346,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inl
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2379,11 +2394,12 @@ extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_uncerta
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
     struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_accel_scale_factor_uncertainty_codec, 0x19, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, builder);
@@ -2407,7 +2423,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -2454,11 +2470,11 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_bias_codec, 0x1A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_bias_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
 }
@@ -2481,7 +2497,7 @@ static inline mip_error mip_filter_data_mag_bias_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode_inline(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1A, 14, &data);
@@ -2527,11 +2543,12 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
     struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_bias_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_bias_uncertainty_codec, 0x1B, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
 }
@@ -2554,7 +2571,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1B, 14, &data);
@@ -2601,11 +2618,11 @@ extern MIP_API const struct mip_codec mip_filter_data_comp_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_comp_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_comp_accel_codec, 0x1C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_comp_accel_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
 }
@@ -2628,7 +2645,7 @@ static inline mip_error mip_filter_data_comp_accel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_comp_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode_inline(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x1C, 14, &data);
@@ -2689,11 +2706,12 @@ extern MIP_API const struct mip_codec mip_filter_data_standard_atmosphere_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_standard_atmosphere_decode(
     struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_standard_atmosphere_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_standard_atmosphere_codec, 0x20, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_standard_atmosphere_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
 }
@@ -2718,7 +2736,7 @@ static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x20, 22, &data);
@@ -2769,11 +2787,12 @@ extern MIP_API const struct mip_codec mip_filter_data_pressure_altitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_pressure_altitude_decode(
     struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_pressure_altitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_pressure_altitude_codec, 0x21, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_pressure_altitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
 }
@@ -2794,7 +2813,7 @@ static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x21, 6, &data);
@@ -2836,11 +2855,12 @@ extern MIP_API const struct mip_codec mip_filter_data_density_altitude_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_density_altitude_decode(
     struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_density_altitude_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_density_altitude_codec, 0x22, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_density_altitude_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
 }
@@ -2861,7 +2881,7 @@ static inline mip_error mip_filter_data_density_altitude_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_density_altitude_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode_inline(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x22, 6, &data);
@@ -2908,11 +2928,11 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_offset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_offset_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_offset_codec, 0x25, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_offset_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
 }
@@ -2935,7 +2955,7 @@ static inline mip_error mip_filter_data_mag_offset_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_offset_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode_inline(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x25, 14, &data);
@@ -2984,11 +3004,11 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_matrix_codec, 0x26, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_matrix_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
 }
@@ -3011,7 +3031,7 @@ static inline mip_error mip_filter_data_mag_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x26, 38, &data);
@@ -3058,11 +3078,12 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_offset_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
     struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_offset_uncertainty_codec, 0x28, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
 }
@@ -3085,7 +3106,7 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x28, 14, &data);
@@ -3133,11 +3154,12 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_uncertainty_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
     struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_matrix_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_matrix_uncertainty_codec, 0x29, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
 }
@@ -3160,7 +3182,7 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x29, 38, &data);
@@ -3208,11 +3230,12 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_covariance_matrix_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
     struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_covariance_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_covariance_matrix_codec, 0x2A, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
 }
@@ -3235,7 +3258,7 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x2A, 38, &data);
@@ -3282,11 +3305,12 @@ extern MIP_API const struct mip_codec mip_filter_data_mag_residual_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_residual_vector_decode(
     struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_mag_residual_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_mag_residual_vector_codec, 0x2C, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_mag_residual_vector_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
 }
@@ -3309,7 +3333,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x2C, 14, &data);
@@ -3357,11 +3381,12 @@ extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_correction_decode(
     struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_antenna_offset_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_antenna_offset_correction_codec, 0x30, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_antenna_offset_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
 }
@@ -3384,7 +3409,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x30, 14, &data);
@@ -3433,11 +3458,12 @@ extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_uncertainty
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode(
     struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_antenna_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_antenna_offset_uncertainty_codec, 0x31, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
     const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_uncertainty_codec, value, builder);
 }
@@ -3460,7 +3486,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
     const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x31, 14, &data);
@@ -3512,11 +3538,12 @@ extern MIP_API const struct mip_codec mip_filter_data_clock_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_decode(
     struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_clock_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_clock_correction_codec, 0x32, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_clock_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
 }
@@ -3539,7 +3566,7 @@ static inline mip_error mip_filter_data_clock_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_clock_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode_inline(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x32, 11, &data);
@@ -3592,11 +3619,12 @@ extern MIP_API const struct mip_codec mip_filter_data_clock_correction_uncertain
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
     struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_clock_correction_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_clock_correction_uncertainty_codec, 0x33, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
 }
@@ -3619,7 +3647,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inli
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x33, 11, &data);
@@ -3670,11 +3698,12 @@ extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_corre
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
     struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_multi_antenna_offset_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_multi_antenna_offset_correction_codec, 0x34, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_correction_codec, value, builder);
@@ -3699,7 +3728,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_i
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -3752,11 +3781,12 @@ extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_uncer
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
     struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_multi_antenna_offset_uncertainty_codec, 0x35, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, builder);
@@ -3781,7 +3811,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -3829,11 +3859,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_position_uncertainty_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
     struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_position_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_position_uncertainty_codec, 0x36, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
 }
@@ -3856,7 +3887,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x36, 14, &data);
@@ -3902,11 +3933,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
     struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_velocity_uncertainty_codec, 0x37, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
 }
@@ -3929,7 +3961,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x37, 14, &data);
@@ -3975,11 +4007,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_decode(
     struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_position_codec, 0x40, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
 }
@@ -4002,7 +4035,7 @@ static inline mip_error mip_filter_data_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode_inline(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x40, 26, &data);
@@ -4048,11 +4081,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_decode(
     struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ecef_velocity_codec, 0x41, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
 }
@@ -4075,7 +4109,7 @@ static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x41, 14, &data);
@@ -4121,11 +4155,12 @@ extern MIP_API const struct mip_codec mip_filter_data_ned_relative_position_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_relative_position_decode(
     struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_ned_relative_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_ned_relative_position_codec, 0x42, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_ned_relative_position_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
 }
@@ -4148,7 +4183,7 @@ static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x42, 26, &data);
@@ -4197,11 +4232,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_position_aiding_statu
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_position_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_position_aiding_status_codec, 0x43, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
 }
@@ -4224,7 +4260,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x43, 15, &data);
@@ -4275,11 +4311,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_attitude_aiding_statu
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
     struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_attitude_aiding_status_codec, 0x44, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
 }
@@ -4301,7 +4338,7 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x44, 14, &data);
@@ -4351,11 +4388,12 @@ extern MIP_API const struct mip_codec mip_filter_data_heading_aiding_status_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_aiding_status_decode(
     struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_heading_aiding_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_heading_aiding_status_codec, 0x45, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_heading_aiding_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
 }
@@ -4379,7 +4417,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x45, 13, &data);
@@ -4429,11 +4467,12 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_measurement_summary
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
     struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_measurement_summary_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_measurement_summary_codec, 0x46, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
 }
@@ -4456,7 +4495,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x46, 7, &data);
@@ -4503,11 +4542,12 @@ extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_erro
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
     struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_odometer_scale_factor_error_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_codec, 0x47, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
 }
@@ -4528,7 +4568,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x47, 6, &data);
@@ -4576,11 +4616,12 @@ extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_unce
 static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode(
     struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_odometer_scale_factor_uncertainty_codec, 0x48, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
     const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, builder);
@@ -4603,7 +4644,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
     const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
@@ -4664,11 +4705,12 @@ extern MIP_API const struct mip_codec mip_filter_data_gnss_dual_antenna_status_c
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
     struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_gnss_dual_antenna_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_gnss_dual_antenna_status_codec, 0x49, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
 }
@@ -4693,7 +4735,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x49, 17, &data);
@@ -4740,11 +4782,12 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
     struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_frame_config_error_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_frame_config_error_codec, 0x50, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
 }
@@ -4770,7 +4813,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x50, 29, &data);
@@ -4823,11 +4866,12 @@ extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_error_uncerta
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
     struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, field, NULL);
+    return mip_decode_only(&mip_filter_data_aiding_frame_error_uncertainty_codec, 0x51, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
     const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, builder);
@@ -4854,7 +4898,7 @@ static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_in
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
+MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
     const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;

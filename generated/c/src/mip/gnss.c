@@ -8,15 +8,19 @@ static const uint8_t program_receiver_info[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01, MIP_COMMAND, 0, sizeof(struct mip_gnss_receiver_info), 0, program_receiver_info};
+    0x0E, 0x01,  MIP_COMMAND,           0,   sizeof(struct mip_gnss_receiver_info),
+    0,    false, program_receiver_info, NULL};
 
 static const struct mip_response responses_receiver_info[] = {
-    {&mip_gnss_receiver_info_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec, NULL,
-                                                           responses_receiver_info, 0};
+const struct mip_exchange mip_gnss_receiver_info_exchange = {0x0E,  0x01, 0,
+                                                             false, NULL, responses_receiver_info};
+
+const struct mip_command mip_gnss_receiver_info_command = {&mip_gnss_receiver_info_codec,
+                                                           &mip_gnss_receiver_info_exchange};
 
 static const uint8_t program_receiver_info_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_receiver_info_response, num_receivers)),
@@ -36,7 +40,9 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0,
     sizeof(struct mip_gnss_receiver_info_response),
     0,
-    program_receiver_info_response};
+    false,
+    program_receiver_info_response,
+    &mip_program};
 
 static const uint8_t program_signal_config[] = {
     MIP_REQUIRED(1, 5),
@@ -54,20 +60,21 @@ static const uint8_t program_signal_config[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02, MIP_COMMAND, 0, sizeof(struct mip_gnss_signal_config), 0, program_signal_config};
+    0x0E, 0x02,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_signal_config),
+    0,    false, program_signal_config, &mip_program};
 
-static bool asked_signal_config_1(const void *value) {
-    const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_signal_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_signal_config[] = {
-    {&mip_gnss_signal_config_response_codec, asked_signal_config_1},
-    {NULL, NULL},
+    {asked_signal_config_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec, NULL,
-                                                           responses_signal_config, 0};
+const struct mip_exchange mip_gnss_signal_config_exchange = {0x0E, 0x02, 0,
+                                                             true, NULL, responses_signal_config};
+
+const struct mip_command mip_gnss_signal_config_command = {&mip_gnss_signal_config_codec,
+                                                           &mip_gnss_signal_config_exchange};
 
 static const uint8_t program_signal_config_response[] = {
     MIP_8_BITS(8, MIP_AT(struct mip_gnss_signal_config_response, gps_enable)),
@@ -81,18 +88,29 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     8,
     sizeof(struct mip_gnss_signal_config_response),
     0,
-    program_signal_config_response};
+    sizeof(struct mip_gnss_signal_config_response) >= 8,
+    program_signal_config_response,
+    NULL};
 
 static const uint8_t program_receiver_reset[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_receiver_reset, receiver_id)),
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_receiver_reset_codec = {
-    0x0E, 0x03, MIP_COMMAND, 2, sizeof(struct mip_gnss_receiver_reset), 0, program_receiver_reset};
+const struct mip_codec mip_gnss_receiver_reset_codec = {0x0E,
+                                                        0x03,
+                                                        MIP_COMMAND,
+                                                        2,
+                                                        sizeof(struct mip_gnss_receiver_reset),
+                                                        0,
+                                                        sizeof(struct mip_gnss_receiver_reset) >= 8,
+                                                        program_receiver_reset,
+                                                        NULL};
 
-const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec, NULL,
-                                                            NULL, 0};
+const struct mip_exchange mip_gnss_receiver_reset_exchange = {0x0E, 0x03, 0, false, NULL, NULL};
+
+const struct mip_command mip_gnss_receiver_reset_command = {&mip_gnss_receiver_reset_codec,
+                                                            &mip_gnss_receiver_reset_exchange};
 
 static const uint8_t program_rtk_config[] = {
     MIP_REQUIRED(1, 2),
@@ -104,20 +122,20 @@ static const uint8_t program_rtk_config[] = {
 };
 
 const struct mip_codec mip_gnss_rtk_config_codec = {
-    0x0E, 0x04, MIP_COMMAND, 0, sizeof(struct mip_gnss_rtk_config), 0, program_rtk_config};
+    0x0E, 0x04,  MIP_COMMAND,        0,           sizeof(struct mip_gnss_rtk_config),
+    0,    false, program_rtk_config, &mip_program};
 
-static bool asked_rtk_config_1(const void *value) {
-    const struct mip_gnss_rtk_config *v = (const struct mip_gnss_rtk_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_rtk_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_rtk_config[] = {
-    {&mip_gnss_rtk_config_response_codec, asked_rtk_config_1},
-    {NULL, NULL},
+    {asked_rtk_config_1, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec, NULL,
-                                                        responses_rtk_config, 0};
+const struct mip_exchange mip_gnss_rtk_config_exchange = {0x0E, 0x04, 0,
+                                                          true, NULL, responses_rtk_config};
+
+const struct mip_command mip_gnss_rtk_config_command = {&mip_gnss_rtk_config_codec,
+                                                        &mip_gnss_rtk_config_exchange};
 
 static const uint8_t program_rtk_config_response[] = {
     MIP_8_BITS(5, MIP_AT(struct mip_gnss_rtk_config_response, ambiguity_fix_mode)),
@@ -131,7 +149,9 @@ const struct mip_codec mip_gnss_rtk_config_response_codec = {
     5,
     sizeof(struct mip_gnss_rtk_config_response),
     0,
-    program_rtk_config_response};
+    sizeof(struct mip_gnss_rtk_config_response) >= 8,
+    program_rtk_config_response,
+    NULL};
 
 static const uint8_t program_rtk_dongle_config[] = {
     MIP_REQUIRED(1, 2),
@@ -149,20 +169,22 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     0,
     sizeof(struct mip_gnss_rtk_dongle_config),
     0,
-    program_rtk_dongle_config};
+    false,
+    program_rtk_dongle_config,
+    &mip_program};
 
-static bool asked_rtk_dongle_config_1(const void *value) {
-    const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_rtk_dongle_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_rtk_dongle_config[] = {
-    {&mip_gnss_rtk_dongle_config_response_codec, asked_rtk_dongle_config_1},
-    {NULL, NULL},
+    {asked_rtk_dongle_config_1, NULL, 0x90},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_gnss_rtk_dongle_config_exchange = {
+    0x0E, 0x10, 0, true, NULL, responses_rtk_dongle_config};
+
 const struct mip_command mip_gnss_rtk_dongle_config_command = {
-    &mip_gnss_rtk_dongle_config_codec, NULL, responses_rtk_dongle_config, 0};
+    &mip_gnss_rtk_dongle_config_codec, &mip_gnss_rtk_dongle_config_exchange};
 
 static const uint8_t program_rtk_dongle_config_response[] = {
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_rtk_dongle_config_response, enable)),
@@ -176,7 +198,9 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     4,
     sizeof(struct mip_gnss_rtk_dongle_config_response),
     0,
-    program_rtk_dongle_config_response};
+    sizeof(struct mip_gnss_rtk_dongle_config_response) >= 8,
+    program_rtk_dongle_config_response,
+    NULL};
 
 static const uint8_t program_spartn_config[] = {
     MIP_FAR,
@@ -201,20 +225,21 @@ static const uint8_t program_spartn_config[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20, MIP_COMMAND, 0, sizeof(struct mip_gnss_spartn_config), 0, program_spartn_config};
+    0x0E, 0x20,  MIP_COMMAND,           0,           sizeof(struct mip_gnss_spartn_config),
+    0,    false, program_spartn_config, &mip_program};
 
-static bool asked_spartn_config_1(const void *value) {
-    const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_spartn_config_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                MIP_WHEN_END};
 static const struct mip_response responses_spartn_config[] = {
-    {&mip_gnss_spartn_config_response_codec, asked_spartn_config_1},
-    {NULL, NULL},
+    {asked_spartn_config_1, NULL, 0xA0},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec, NULL,
-                                                           responses_spartn_config, 0};
+const struct mip_exchange mip_gnss_spartn_config_exchange = {0x0E, 0x20, 0,
+                                                             true, NULL, responses_spartn_config};
+
+const struct mip_command mip_gnss_spartn_config_command = {&mip_gnss_spartn_config_codec,
+                                                           &mip_gnss_spartn_config_exchange};
 
 static const uint8_t program_spartn_config_response[] = {
     MIP_FAR,
@@ -235,4 +260,6 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0,
     sizeof(struct mip_gnss_spartn_config_response),
     0,
-    program_spartn_config_response};
+    false,
+    program_spartn_config_response,
+    &mip_program};

@@ -173,12 +173,12 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_info_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
+    const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
 }
 
@@ -209,11 +209,12 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_info_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_response_decode(
     struct mip_gnss_receiver_info_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_info_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_info_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_info_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
 }
@@ -269,12 +270,12 @@ extern MIP_API const struct mip_codec mip_gnss_signal_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_signal_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_signal_config_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
+    const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
 }
 /**
@@ -361,11 +362,12 @@ extern MIP_API const struct mip_codec mip_gnss_signal_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_response_decode(
     struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_signal_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_signal_config_response_codec, 0x82, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_signal_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
 }
@@ -389,7 +391,7 @@ static inline mip_error mip_gnss_signal_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_signal_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inline(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x82, 8, &data);
@@ -438,12 +440,12 @@ extern MIP_API const struct mip_codec mip_gnss_receiver_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_reset *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_receiver_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_receiver_reset_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_receiver_reset_encode(const struct mip_gnss_receiver_reset *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
+    const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
 }
 
@@ -463,7 +465,7 @@ static inline mip_error mip_gnss_receiver_reset_decode_inline(struct mip_gnss_re
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_receiver_reset_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode_inline(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x03, 2, &data);
@@ -534,12 +536,12 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_config_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
 }
 /**
@@ -612,11 +614,11 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_response_decode(
     struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_config_response_codec, 0x84, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
 }
@@ -637,7 +639,7 @@ static inline mip_error mip_gnss_rtk_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_rtk_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x84, 5, &data);
@@ -687,11 +689,11 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_dongle_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_dongle_config_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_dongle_config_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
 }
@@ -764,11 +766,12 @@ extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
     struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_rtk_dongle_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_rtk_dongle_config_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
 }
@@ -789,7 +792,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0x90, 4, &data);
@@ -864,12 +867,12 @@ extern MIP_API const struct mip_codec mip_gnss_spartn_config_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_spartn_config_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_spartn_config_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
+    const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
 }
 /**
@@ -975,11 +978,12 @@ extern MIP_API const struct mip_codec mip_gnss_spartn_config_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_response_decode(
     struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_spartn_config_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_spartn_config_response_codec, 0xA0, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_spartn_config_response_encode(
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
 }
@@ -1006,7 +1010,7 @@ static inline mip_error mip_gnss_spartn_config_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_spartn_config_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode_inline(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0E, 0xA0, 78, &data);

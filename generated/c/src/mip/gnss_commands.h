@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_receiver_info_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Receiver info. If the
@@ -33,12 +35,14 @@ static inline mip_error mip_send_gnss_receiver_info(
 /** Receiver info. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_receiver_info(
     struct mip_device *device, struct mip_gnss_receiver_info_response *response) {
-    return mip_device_call(device, &mip_gnss_receiver_info_command, NULL,
+    return mip_device_send(device, &mip_gnss_receiver_info_exchange, NULL, 0,
                            &mip_gnss_receiver_info_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_signal_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_signal_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Signal configuration.
@@ -74,9 +78,9 @@ static inline struct mip_result mip_call_gnss_signal_config_write(
 /** Signal configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_read(
     struct mip_device *device, struct mip_gnss_signal_config_response *response) {
-    struct mip_gnss_signal_config command;
-    return mip_device_call(device, &mip_gnss_signal_config_command,
-                           mip_gnss_signal_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1,
                            &mip_gnss_signal_config_response_codec, response);
 }
 
@@ -84,23 +88,23 @@ static inline struct mip_result mip_call_gnss_signal_config_read(
  * Signal configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_signal_config_save(struct mip_device *device) {
-    struct mip_gnss_signal_config command;
-    return mip_device_call(device, &mip_gnss_signal_config_command,
-                           mip_gnss_signal_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
 }
 
 /** Signal configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_load(struct mip_device *device) {
-    struct mip_gnss_signal_config command;
-    return mip_device_call(device, &mip_gnss_signal_config_command,
-                           mip_gnss_signal_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
 }
 
 /** Signal configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_default(struct mip_device *device) {
-    struct mip_gnss_signal_config command;
-    return mip_device_call(device, &mip_gnss_signal_config_command,
-                           mip_gnss_signal_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_gnss_signal_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -116,6 +120,8 @@ static inline struct mip_result mip_call_gnss_signal_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_receiver_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Receiver reset. */
 static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
@@ -136,10 +142,10 @@ static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
 static inline struct mip_result
 mip_call_gnss_receiver_reset(struct mip_device *device, enum mip_gnss_receiver_id receiver_id,
                              enum mip_gnss_receiver_reset_type reset_type) {
-    struct mip_gnss_receiver_reset command;
-    return mip_device_call(device, &mip_gnss_receiver_reset_command,
-                           mip_gnss_receiver_reset_make(&command, receiver_id, reset_type), NULL,
-                           NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)receiver_id);
+    mip_put_8(data + 1, (uint8_t)reset_type);
+    return mip_device_send(device, &mip_gnss_receiver_reset_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -153,6 +159,8 @@ static inline struct mip_result mip_call_gnss_receiver_reset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_rtk_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. RTK configuration. If
@@ -184,8 +192,9 @@ static inline struct mip_result mip_call_gnss_rtk_config_write(
 /** RTK configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_config_read(
     struct mip_device *device, struct mip_gnss_rtk_config_response *response) {
-    struct mip_gnss_rtk_config command;
-    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1,
                            &mip_gnss_rtk_config_response_codec, response);
 }
 
@@ -193,23 +202,23 @@ static inline struct mip_result mip_call_gnss_rtk_config_read(
  * RTK configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_rtk_config_save(struct mip_device *device) {
-    struct mip_gnss_rtk_config command;
-    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_save(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
 }
 
 /** RTK configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_config_load(struct mip_device *device) {
-    struct mip_gnss_rtk_config command;
-    return mip_device_call(device, &mip_gnss_rtk_config_command, mip_gnss_rtk_config_load(&command),
-                           NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
 }
 
 /** RTK configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_config_default(struct mip_device *device) {
-    struct mip_gnss_rtk_config command;
-    return mip_device_call(device, &mip_gnss_rtk_config_command,
-                           mip_gnss_rtk_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_gnss_rtk_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -225,6 +234,8 @@ mip_call_gnss_rtk_config_with(struct mip_device *device, const struct mip_gnss_r
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_rtk_dongle_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. RTK dongle
@@ -256,9 +267,9 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip
  */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
     struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
-    struct mip_gnss_rtk_dongle_config command;
-    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
-                           mip_gnss_rtk_dongle_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1,
                            &mip_gnss_rtk_dongle_config_response_codec, response);
 }
 
@@ -267,23 +278,23 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_save(struct mip_device *device) {
-    struct mip_gnss_rtk_dongle_config command;
-    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
-                           mip_gnss_rtk_dongle_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
 }
 
 /** RTK dongle configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_load(struct mip_device *device) {
-    struct mip_gnss_rtk_dongle_config command;
-    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
-                           mip_gnss_rtk_dongle_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
 }
 
 /** RTK dongle configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_default(struct mip_device *device) {
-    struct mip_gnss_rtk_dongle_config command;
-    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
-                           mip_gnss_rtk_dongle_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_gnss_rtk_dongle_config_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -299,6 +310,8 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_gnss_spartn_config_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. SPARTN configuration.
@@ -332,20 +345,29 @@ static inline struct mip_result mip_call_gnss_spartn_config_write(
     struct mip_device *device, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
     uint32_t next_key_tow, uint16_t next_key_week, const uint8_t next_key[32]) {
-    struct mip_gnss_spartn_config command;
-    return mip_device_call(device, &mip_gnss_spartn_config_command,
-                           mip_gnss_spartn_config_write(&command, enable, type, current_key_tow,
-                                                        current_key_week, current_key, next_key_tow,
-                                                        next_key_week, next_key),
-                           NULL, NULL);
+    uint8_t data[79];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)enable);
+    mip_put_8(data + 2, (uint8_t)type);
+    mip_put_32(data + 3, (uint32_t)current_key_tow);
+    mip_put_16(data + 7, (uint16_t)current_key_week);
+    mip_put_32(data + 41, (uint32_t)next_key_tow);
+    mip_put_16(data + 45, (uint16_t)next_key_week);
+    for (size_t i = 0; i < 32; i++) {
+        mip_put_8(data + 9 + 1 * i, (uint8_t)current_key[i]);
+    }
+    for (size_t i = 0; i < 32; i++) {
+        mip_put_8(data + 47 + 1 * i, (uint8_t)next_key[i]);
+    }
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 79, NULL, NULL);
 }
 
 /** SPARTN configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_read(
     struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
-    struct mip_gnss_spartn_config command;
-    return mip_device_call(device, &mip_gnss_spartn_config_command,
-                           mip_gnss_spartn_config_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1,
                            &mip_gnss_spartn_config_response_codec, response);
 }
 
@@ -353,23 +375,23 @@ static inline struct mip_result mip_call_gnss_spartn_config_read(
  * SPARTN configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_spartn_config_save(struct mip_device *device) {
-    struct mip_gnss_spartn_config command;
-    return mip_device_call(device, &mip_gnss_spartn_config_command,
-                           mip_gnss_spartn_config_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
 }
 
 /** SPARTN configuration: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_load(struct mip_device *device) {
-    struct mip_gnss_spartn_config command;
-    return mip_device_call(device, &mip_gnss_spartn_config_command,
-                           mip_gnss_spartn_config_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
 }
 
 /** SPARTN configuration: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_default(struct mip_device *device) {
-    struct mip_gnss_spartn_config command;
-    return mip_device_call(device, &mip_gnss_spartn_config_command,
-                           mip_gnss_spartn_config_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_gnss_spartn_config_exchange, data, 1, NULL, NULL);
 }
 
 /**

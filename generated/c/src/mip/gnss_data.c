@@ -17,7 +17,9 @@ const struct mip_codec mip_gnss_data_llh_position_codec = {
     42,
     sizeof(struct mip_gnss_data_llh_position),
     5,
-    program_llh_position + 5};
+    sizeof(struct mip_gnss_data_llh_position) >= 8,
+    program_llh_position + 5,
+    NULL};
 
 static const uint8_t program_ecef_position[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -34,7 +36,9 @@ const struct mip_codec mip_gnss_data_ecef_position_codec = {
     30,
     sizeof(struct mip_gnss_data_ecef_position),
     5,
-    program_ecef_position + 5};
+    sizeof(struct mip_gnss_data_ecef_position) >= 8,
+    program_ecef_position + 5,
+    NULL};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -50,7 +54,9 @@ const struct mip_codec mip_gnss_data_ned_velocity_codec = {
     34,
     sizeof(struct mip_gnss_data_ned_velocity),
     5,
-    program_ned_velocity + 5};
+    sizeof(struct mip_gnss_data_ned_velocity) >= 8,
+    program_ned_velocity + 5,
+    NULL};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -66,7 +72,9 @@ const struct mip_codec mip_gnss_data_ecef_velocity_codec = {
     18,
     sizeof(struct mip_gnss_data_ecef_velocity),
     5,
-    program_ecef_velocity + 5};
+    sizeof(struct mip_gnss_data_ecef_velocity) >= 8,
+    program_ecef_velocity + 5,
+    NULL};
 
 static const uint8_t program_dop[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -75,8 +83,15 @@ static const uint8_t program_dop[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dop_codec = {
-    0x81, 0x07, MIP_DATA, 30, sizeof(struct mip_gnss_data_dop), 5, program_dop + 5};
+const struct mip_codec mip_gnss_data_dop_codec = {0x81,
+                                                  0x07,
+                                                  MIP_DATA,
+                                                  30,
+                                                  sizeof(struct mip_gnss_data_dop),
+                                                  5,
+                                                  sizeof(struct mip_gnss_data_dop) >= 8,
+                                                  program_dop + 5,
+                                                  NULL};
 
 static const uint8_t program_utc_time[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -88,7 +103,8 @@ static const uint8_t program_utc_time[] = {
 };
 
 const struct mip_codec mip_gnss_data_utc_time_codec = {
-    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, program_utc_time + 5};
+    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, false, program_utc_time + 5,
+    NULL};
 
 static const uint8_t program_gps_time[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -97,8 +113,15 @@ static const uint8_t program_gps_time[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_gps_time_codec = {
-    0x81, 0x09, MIP_DATA, 12, sizeof(struct mip_gnss_data_gps_time), 5, program_gps_time + 5};
+const struct mip_codec mip_gnss_data_gps_time_codec = {0x81,
+                                                       0x09,
+                                                       MIP_DATA,
+                                                       12,
+                                                       sizeof(struct mip_gnss_data_gps_time),
+                                                       5,
+                                                       sizeof(struct mip_gnss_data_gps_time) >= 8,
+                                                       program_gps_time + 5,
+                                                       NULL};
 
 static const uint8_t program_clock_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -107,8 +130,16 @@ static const uint8_t program_clock_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_clock_info_codec = {
-    0x81, 0x0A, MIP_DATA, 26, sizeof(struct mip_gnss_data_clock_info), 5, program_clock_info + 5};
+const struct mip_codec mip_gnss_data_clock_info_codec = {0x81,
+                                                         0x0A,
+                                                         MIP_DATA,
+                                                         26,
+                                                         sizeof(struct mip_gnss_data_clock_info),
+                                                         5,
+                                                         sizeof(struct mip_gnss_data_clock_info) >=
+                                                             8,
+                                                         program_clock_info + 5,
+                                                         NULL};
 
 static const uint8_t program_fix_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -117,8 +148,15 @@ static const uint8_t program_fix_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_fix_info_codec = {
-    0x81, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_data_fix_info), 5, program_fix_info + 5};
+const struct mip_codec mip_gnss_data_fix_info_codec = {0x81,
+                                                       0x0B,
+                                                       MIP_DATA,
+                                                       6,
+                                                       sizeof(struct mip_gnss_data_fix_info),
+                                                       5,
+                                                       sizeof(struct mip_gnss_data_fix_info) >= 8,
+                                                       program_fix_info + 5,
+                                                       NULL};
 
 static const uint8_t program_sv_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -127,8 +165,15 @@ static const uint8_t program_sv_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sv_info_codec = {
-    0x81, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_data_sv_info), 5, program_sv_info + 5};
+const struct mip_codec mip_gnss_data_sv_info_codec = {0x81,
+                                                      0x0C,
+                                                      MIP_DATA,
+                                                      12,
+                                                      sizeof(struct mip_gnss_data_sv_info),
+                                                      5,
+                                                      sizeof(struct mip_gnss_data_sv_info) >= 8,
+                                                      program_sv_info + 5,
+                                                      NULL};
 
 static const uint8_t program_hardware_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -144,7 +189,9 @@ const struct mip_codec mip_gnss_data_hardware_status_codec = {
     5,
     sizeof(struct mip_gnss_data_hardware_status),
     5,
-    program_hardware_status + 5};
+    false,
+    program_hardware_status + 5,
+    NULL};
 
 static const uint8_t program_dgps_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -154,8 +201,15 @@ static const uint8_t program_dgps_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_dgps_info_codec = {
-    0x81, 0x0E, MIP_DATA, 0, sizeof(struct mip_gnss_data_dgps_info), 5, program_dgps_info + 5};
+const struct mip_codec mip_gnss_data_dgps_info_codec = {0x81,
+                                                        0x0E,
+                                                        MIP_DATA,
+                                                        0,
+                                                        sizeof(struct mip_gnss_data_dgps_info),
+                                                        5,
+                                                        false,
+                                                        program_dgps_info + 5,
+                                                        &mip_layout};
 
 static const uint8_t program_dgps_info_satellite[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -173,7 +227,9 @@ const struct mip_codec mip_gnss_data_dgps_info_satellite_codec = {
     0,
     sizeof(struct mip_gnss_data_dgps_info_satellite),
     5,
-    program_dgps_info_satellite + 5};
+    false,
+    program_dgps_info_satellite + 5,
+    &mip_layout};
 
 static const uint8_t program_dgps_channel[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -190,7 +246,9 @@ const struct mip_codec mip_gnss_data_dgps_channel_codec = {
     15,
     sizeof(struct mip_gnss_data_dgps_channel),
     5,
-    program_dgps_channel + 5};
+    false,
+    program_dgps_channel + 5,
+    NULL};
 
 static const uint8_t program_clock_info_2[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -206,7 +264,9 @@ const struct mip_codec mip_gnss_data_clock_info_2_codec = {
     34,
     sizeof(struct mip_gnss_data_clock_info_2),
     5,
-    program_clock_info_2 + 5};
+    sizeof(struct mip_gnss_data_clock_info_2) >= 8,
+    program_clock_info_2 + 5,
+    NULL};
 
 static const uint8_t program_gps_leap_seconds[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -222,7 +282,9 @@ const struct mip_codec mip_gnss_data_gps_leap_seconds_codec = {
     3,
     sizeof(struct mip_gnss_data_gps_leap_seconds),
     5,
-    program_gps_leap_seconds + 5};
+    false,
+    program_gps_leap_seconds + 5,
+    NULL};
 
 static const uint8_t program_sbas_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -233,8 +295,15 @@ static const uint8_t program_sbas_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_data_sbas_info_codec = {
-    0x81, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_data_sbas_info), 5, program_sbas_info + 5};
+const struct mip_codec mip_gnss_data_sbas_info_codec = {0x81,
+                                                        0x12,
+                                                        MIP_DATA,
+                                                        16,
+                                                        sizeof(struct mip_gnss_data_sbas_info),
+                                                        5,
+                                                        sizeof(struct mip_gnss_data_sbas_info) >= 8,
+                                                        program_sbas_info + 5,
+                                                        NULL};
 
 static const uint8_t program_sbas_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -254,7 +323,9 @@ const struct mip_codec mip_gnss_data_sbas_correction_codec = {
     25,
     sizeof(struct mip_gnss_data_sbas_correction),
     5,
-    program_sbas_correction + 5};
+    false,
+    program_sbas_correction + 5,
+    NULL};
 
 static const uint8_t program_rf_error_detection[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -272,7 +343,9 @@ const struct mip_codec mip_gnss_data_rf_error_detection_codec = {
     9,
     sizeof(struct mip_gnss_data_rf_error_detection),
     5,
-    program_rf_error_detection + 5};
+    false,
+    program_rf_error_detection + 5,
+    NULL};
 
 static const uint8_t program_heading[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -283,7 +356,8 @@ static const uint8_t program_heading[] = {
 };
 
 const struct mip_codec mip_gnss_data_heading_codec = {
-    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, program_heading + 5};
+    0x81, 0x15, MIP_DATA, 11, sizeof(struct mip_gnss_data_heading), 5, false, program_heading + 5,
+    NULL};
 
 static const uint8_t program_satellite_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -304,7 +378,9 @@ const struct mip_codec mip_gnss_data_satellite_status_codec = {
     25,
     sizeof(struct mip_gnss_data_satellite_status),
     5,
-    program_satellite_status + 5};
+    false,
+    program_satellite_status + 5,
+    NULL};
 
 static const uint8_t program_raw[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -321,7 +397,7 @@ static const uint8_t program_raw[] = {
 };
 
 const struct mip_codec mip_gnss_data_raw_codec = {
-    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, program_raw + 5};
+    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, false, program_raw + 5, NULL};
 
 static const uint8_t program_base_station_info[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -340,7 +416,9 @@ const struct mip_codec mip_gnss_data_base_station_info_codec = {
     44,
     sizeof(struct mip_gnss_data_base_station_info),
     5,
-    program_base_station_info + 5};
+    false,
+    program_base_station_info + 5,
+    NULL};
 
 static const uint8_t program_rtk_corrections_status[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -358,7 +436,9 @@ const struct mip_codec mip_gnss_data_rtk_corrections_status_codec = {
     50,
     sizeof(struct mip_gnss_data_rtk_corrections_status),
     5,
-    program_rtk_corrections_status + 5};
+    sizeof(struct mip_gnss_data_rtk_corrections_status) >= 8,
+    program_rtk_corrections_status + 5,
+    NULL};
 
 static const uint8_t program_gps_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -379,7 +459,9 @@ const struct mip_codec mip_gnss_data_gps_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_gps_ephemeris),
     5,
-    program_gps_ephemeris + 5};
+    false,
+    program_gps_ephemeris + 5,
+    &mip_program};
 
 static const uint8_t program_glonass_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -406,7 +488,9 @@ const struct mip_codec mip_gnss_data_glonass_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_glonass_ephemeris),
     5,
-    program_glonass_ephemeris + 5};
+    false,
+    program_glonass_ephemeris + 5,
+    &mip_program};
 
 static const uint8_t program_galileo_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -427,7 +511,9 @@ const struct mip_codec mip_gnss_data_galileo_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_galileo_ephemeris),
     5,
-    program_galileo_ephemeris + 5};
+    false,
+    program_galileo_ephemeris + 5,
+    &mip_program};
 
 static const uint8_t program_beidou_ephemeris[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -448,7 +534,9 @@ const struct mip_codec mip_gnss_data_beidou_ephemeris_codec = {
     0,
     sizeof(struct mip_gnss_data_beidou_ephemeris),
     5,
-    program_beidou_ephemeris + 5};
+    false,
+    program_beidou_ephemeris + 5,
+    &mip_program};
 
 static const uint8_t program_gps_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -466,7 +554,9 @@ const struct mip_codec mip_gnss_data_gps_iono_correction_codec = {
     76,
     sizeof(struct mip_gnss_data_gps_iono_correction),
     5,
-    program_gps_iono_correction + 5};
+    false,
+    program_gps_iono_correction + 5,
+    NULL};
 
 static const uint8_t program_galileo_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -485,7 +575,9 @@ const struct mip_codec mip_gnss_data_galileo_iono_correction_codec = {
     37,
     sizeof(struct mip_gnss_data_galileo_iono_correction),
     5,
-    program_galileo_iono_correction + 5};
+    false,
+    program_galileo_iono_correction + 5,
+    NULL};
 
 static const uint8_t program_beidou_iono_correction[] = {
     MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
@@ -504,4 +596,6 @@ const struct mip_codec mip_gnss_data_beidou_iono_correction_codec = {
     0,
     sizeof(struct mip_gnss_data_beidou_iono_correction),
     5,
-    program_beidou_iono_correction + 5};
+    false,
+    program_beidou_iono_correction + 5,
+    &mip_program};

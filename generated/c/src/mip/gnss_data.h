@@ -673,11 +673,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_llh_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_llh_position_decode(struct mip_gnss_data_llh_position *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_llh_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_llh_position_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_llh_position_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_llh_position_codec, value, builder);
 }
@@ -706,7 +706,7 @@ static inline mip_error mip_gnss_data_llh_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_llh_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode_inline(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -766,11 +766,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_ecef_position_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_position_decode(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ecef_position_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ecef_position_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ecef_position_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_position_codec, value, builder);
 }
@@ -797,7 +797,7 @@ static inline mip_error mip_gnss_data_ecef_position_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ecef_position_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -877,11 +877,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_ned_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ned_velocity_decode(struct mip_gnss_data_ned_velocity *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ned_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ned_velocity_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ned_velocity_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ned_velocity_codec, value, builder);
 }
@@ -912,7 +912,7 @@ static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -975,11 +975,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_ecef_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_velocity_decode(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_ecef_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_ecef_velocity_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_ecef_velocity_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_velocity_codec, value, builder);
 }
@@ -1006,7 +1006,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1088,12 +1088,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_dop_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dop_decode(struct mip_gnss_data_dop *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dop_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dop_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dop_codec, value, builder);
 }
 
@@ -1122,8 +1122,8 @@ static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_data_dop *value,
-                                                        struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode_inline(
+    const struct mip_gnss_data_dop *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
@@ -1205,12 +1205,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_utc_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_utc_time_decode(struct mip_gnss_data_utc_time *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_utc_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_utc_time_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_utc_time_encode(const struct mip_gnss_data_utc_time *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
+    const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_utc_time_codec, value, builder);
 }
 
@@ -1239,7 +1239,7 @@ static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_utc_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode_inline(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1299,12 +1299,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_time_decode(struct mip_gnss_data_gps_time *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_time_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_time_encode(const struct mip_gnss_data_gps_time *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
+    const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_time_codec, value, builder);
 }
 
@@ -1328,7 +1328,7 @@ static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode_inline(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1390,11 +1390,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_clock_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_decode(struct mip_gnss_data_clock_info *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_clock_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_clock_info_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_clock_info_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_codec, value, builder);
 }
@@ -1420,7 +1420,7 @@ static inline mip_error mip_gnss_data_clock_info_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_clock_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode_inline(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1480,12 +1480,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_fix_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_fix_info_decode(struct mip_gnss_data_fix_info *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_fix_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_fix_info_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_fix_info_encode(const struct mip_gnss_data_fix_info *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
+    const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_fix_info_codec, value, builder);
 }
 
@@ -1510,7 +1510,7 @@ static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_dat
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_fix_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode_inline(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1587,12 +1587,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_sv_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sv_info_decode(struct mip_gnss_data_sv_info *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sv_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sv_info_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sv_info_encode(const struct mip_gnss_data_sv_info *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
+    const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sv_info_codec, value, builder);
 }
 
@@ -1620,7 +1620,7 @@ static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sv_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode_inline(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1685,11 +1685,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_hardware_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_hardware_status_decode(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_hardware_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_hardware_status_codec, 0x0D, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_hardware_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_hardware_status_codec, value, builder);
 }
@@ -1715,7 +1716,7 @@ static inline mip_error mip_gnss_data_hardware_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_hardware_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1792,12 +1793,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_decode(struct mip_gnss_data_dgps_info *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_info_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_info_encode(const struct mip_gnss_data_dgps_info *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
+    const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_codec, value, builder);
 }
 
@@ -1827,7 +1828,7 @@ static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_da
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -1902,11 +1903,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_satellite_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
     struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_info_satellite_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_info_satellite_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
 }
@@ -1937,7 +1939,7 @@ static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2008,11 +2010,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_dgps_channel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_channel_decode(struct mip_gnss_data_dgps_channel *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_dgps_channel_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_dgps_channel_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_dgps_channel_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_channel_codec, value, builder);
 }
@@ -2039,7 +2041,7 @@ static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2108,11 +2110,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_clock_info_2_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_2_decode(struct mip_gnss_data_clock_info_2 *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_clock_info_2_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_clock_info_2_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_clock_info_2_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_2_codec, value, builder);
 }
@@ -2139,7 +2141,7 @@ static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2191,11 +2193,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_leap_seconds_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_leap_seconds_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_leap_seconds_codec, 0x11, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_leap_seconds_codec, value, builder);
 }
@@ -2219,7 +2222,7 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2291,12 +2294,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_sbas_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_info_decode(struct mip_gnss_data_sbas_info *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sbas_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sbas_info_codec, 0x12, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sbas_info_encode(const struct mip_gnss_data_sbas_info *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
+    const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_info_codec, value, builder);
 }
 
@@ -2324,7 +2327,7 @@ static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_da
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sbas_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2406,11 +2409,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_sbas_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_correction_decode(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_sbas_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_sbas_correction_codec, 0x13, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_sbas_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_correction_codec, value, builder);
 }
@@ -2442,7 +2446,7 @@ static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2519,11 +2523,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_rf_error_detection_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rf_error_detection_decode(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_rf_error_detection_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_rf_error_detection_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_rf_error_detection_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rf_error_detection_codec, value, builder);
 }
@@ -2551,7 +2556,7 @@ static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2616,12 +2621,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_heading_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_heading_decode(struct mip_gnss_data_heading *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_heading_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_heading_codec, 0x15, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_heading_encode(const struct mip_gnss_data_heading *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
+    const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_heading_codec, value, builder);
 }
 
@@ -2646,7 +2651,7 @@ static inline mip_error mip_gnss_data_heading_decode_inline(struct mip_gnss_data
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_heading_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode_inline(
     const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2734,11 +2739,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_satellite_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_satellite_status_decode(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_satellite_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_satellite_status_codec, 0x20, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_satellite_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_satellite_status_codec, value, builder);
 }
@@ -2770,7 +2776,7 @@ static inline mip_error mip_gnss_data_satellite_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_satellite_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -2904,12 +2910,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_raw_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_raw_decode(struct mip_gnss_data_raw *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_raw_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_raw_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_raw_codec, value, builder);
 }
 
@@ -2949,8 +2955,8 @@ static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_data_raw *value,
-                                                        struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode_inline(
+    const struct mip_gnss_data_raw *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
     const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
@@ -3041,11 +3047,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_base_station_info_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_base_station_info_decode(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_base_station_info_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_base_station_info_codec, 0x30, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_base_station_info_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_base_station_info_codec, value, builder);
 }
@@ -3076,7 +3083,7 @@ static inline mip_error mip_gnss_data_base_station_info_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_base_station_info_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3172,11 +3179,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_rtk_corrections_status_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_rtk_corrections_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_rtk_corrections_status_codec, 0x31, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rtk_corrections_status_codec, value, builder);
 }
@@ -3210,7 +3218,7 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3413,11 +3421,11 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_ephemeris_decode(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_ephemeris_codec, 0x61, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_ephemeris_codec, value, builder);
 }
@@ -3473,7 +3481,7 @@ static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3659,11 +3667,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_glonass_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_glonass_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_glonass_ephemeris_codec, 0x62, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_glonass_ephemeris_codec, value, builder);
 }
@@ -3716,7 +3725,7 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -3941,11 +3950,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_galileo_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_galileo_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_galileo_ephemeris_codec, 0x63, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_ephemeris_codec, value, builder);
 }
@@ -4001,7 +4011,7 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4229,11 +4239,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_beidou_ephemeris_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_beidou_ephemeris_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_beidou_ephemeris_codec, 0x64, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_ephemeris_codec, value, builder);
 }
@@ -4289,7 +4300,7 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4385,11 +4396,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_gps_iono_correction_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_iono_correction_decode(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_gps_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_gps_iono_correction_codec, 0x71, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_gps_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_iono_correction_codec, value, builder);
 }
@@ -4420,7 +4432,7 @@ static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4493,11 +4505,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_galileo_iono_correction_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_galileo_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_galileo_iono_correction_codec, 0x73, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_iono_correction_codec, value, builder);
 }
@@ -4526,7 +4539,7 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -4601,11 +4614,12 @@ extern MIP_API const struct mip_codec mip_gnss_data_beidou_iono_correction_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
-    return mip_decode(&mip_gnss_data_beidou_iono_correction_codec, value, field, NULL);
+    return mip_decode_only(&mip_gnss_data_beidou_iono_correction_codec, 0x74, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_iono_correction_codec, value, builder);
 }
@@ -4639,7 +4653,7 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
+MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);

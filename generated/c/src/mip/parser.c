@@ -1,6 +1,6 @@
 /* The stream parser. A packet that lies wholly inside the caller's bytes is checked and returned
  * there; only a packet that their end cuts is assembled in the buffer. */
-#include "mip/core.h"
+#include "mip/checksum.h"
 
 #include <string.h>
 
@@ -49,18 +49,8 @@ static void skip(struct mip_parser *parser) {
     drop(parser, count);
 }
 
-static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                   struct mip_packet *packet) {
-#ifndef __OPTIMIZE_SIZE__
-    if (parser->length == 0 && *size >= MIP_HEADER_SIZE) { /* packet after packet */
-        const size_t goal = candidate(*data, *size);
-        if (goal > 0 && goal <= *size && is_packet(*data, goal, packet)) {
-            *data += goal;
-            *size -= goal;
-            return true;
-        }
-    }
-#endif
+MIP_APART bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                      struct mip_packet *packet) {
     const uint8_t *at = *data;
     size_t left = *size;
     size_t wanted = parser->missing;
@@ -125,17 +115,93 @@ static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size
     return found;
 }
 
+#ifndef __OPTIMIZE_SIZE__
+
+/** Copies bytes into the buffer. */
+static void keep(struct mip_parser *parser, const uint8_t *bytes, size_t size) {
+    memcpy(parser->buffer + parser->length, bytes, size);
+    parser->length = (uint16_t)(parser->length + size);
+}
+
+/** The beginning of a packet is in the buffer: waits for its end, and checks it. Bytes after it, or
+ * an end that does not match, are left to search(). */
+MIP_APART bool resume(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                      struct mip_packet *packet) {
+    const size_t missing = parser->missing;
+    if (*size == 0) {
+        return false;
+    }
+    if (*size < missing) {
+        keep(parser, *data, *size);
+        parser->missing = (uint16_t)(missing - *size);
+        *data += *size;
+        *size = 0;
+        return false;
+    }
+    if (parser->length >= MIP_HEADER_SIZE) {
+        keep(parser, *data, missing);
+        if (is_packet(parser->buffer, parser->length, packet)) {
+            parser->done = parser->length;
+            parser->missing = 0;
+            *data += missing;
+            *size -= missing;
+            return true;
+        }
+        parser->length = (uint16_t)(parser->length - missing);
+    }
+    return search(parser, data, size, packet);
+}
+
+/** Packet after packet; whatever else there is, is left to search(). */
+MIP_APART bool next(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                    struct mip_packet *packet) {
+    const uint8_t *bytes = *data;
+    const size_t left = *size;
+    if (parser->missing > 0) {
+        return resume(parser, data, size, packet);
+    }
+    if (parser->length == parser->done) {
+        parser->length = 0;
+        parser->done = 0;
+        if (left >= MIP_HEADER_SIZE && bytes[0] == MIP_SYNC_1 && bytes[1] == MIP_SYNC_2 &&
+            mip_set_valid(bytes[2])) {
+            const size_t end = (size_t)bytes[3] + MIP_HEADER_SIZE;
+            const size_t goal = end + MIP_CHECKSUM_SIZE;
+            if (goal > left) {
+                keep(parser, bytes, left);
+                parser->missing = (uint16_t)(goal - left);
+                *data = bytes + left;
+                *size = 0;
+                return false;
+            }
+            if (mip_sum(bytes, end) == mip_get_16(bytes + end)) {
+                packet->bytes = bytes;
+                packet->size = goal;
+                packet->descriptor_set = bytes[2];
+                *data = bytes + goal;
+                *size = left - goal;
+                return true;
+            }
+        }
+    }
+    return search(parser, data, size, packet);
+}
+
+#endif
+
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-#ifndef __OPTIMIZE_SIZE__
+#ifdef __OPTIMIZE_SIZE__
+    return search(parser, data, size, packet);
+#else
     if (*size == 1 && parser->missing > 1) { /* byte by byte, as an interrupt feeds it */
         parser->buffer[parser->length++] = *(*data)++;
         parser->missing--;
         *size = 0;
         return false;
     }
+    return next(parser, data, size, packet);
 #endif
-    return search(parser, data, size, packet);
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {

@@ -25,6 +25,9 @@ struct stream {
     bool optional;
     bool cut;
     bool stopped;
+    /** Are parameters left out? What is in memory of them is looked at, so that none that has a
+     * value is left out silently. */
+    bool absent;
 };
 
 /** Ends the run; false, so that callers can return it. */
@@ -49,32 +52,9 @@ static uint8_t *take(struct stream *s, size_t size) {
     return bytes;
 }
 
-/** Reads or writes numbers of `size` bytes. On a little-endian host, those in memory are in
- * reverse order, which flips the last bits of the index of a byte. */
-static void move(uint8_t *wire, uint8_t *memory, size_t size, size_t count, bool writing) {
-    const uint16_t one = 1;
-    const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;
-    for (size_t i = 0; i < size * count; i++) {
-        if (writing) {
-            wire[i] = memory[i ^ flip];
-        } else {
-            memory[i ^ flip] = wire[i];
-        }
-    }
-}
-
-/** Doubles where the compiler has none of eight bytes. */
-static void move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
-    for (size_t i = 0; i < count; i++) {
-        uint32_t bits;
-        if (writing) {
-            memcpy(&bits, memory + 4 * i, 4);
-            mip_put_64(wire + 8 * i, mip_widen(bits));
-        } else {
-            bits = mip_narrow(mip_get_64(wire + 8 * i));
-            memcpy(memory + 4 * i, &bits, 4);
-        }
-    }
+/** Copies a number of 1, 2, 4 or 8 bytes, high byte first. */
+static void get_number(uint8_t *bytes, uint8_t *memory, size_t size) {
+    mip_move(bytes, memory, 4U + (size > 1) + (size > 2) + (size > 4), 1, true);
 }
 
 /** The place that the program names next. */
@@ -98,7 +78,7 @@ static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capa
         *counter = (uint8_t)number;
         return number;
     }
-    move(bytes, counter, size, 1, true);
+    get_number(bytes, counter, size);
     for (size_t i = 0; i < size; i++) {
         number = number > capacity ? number : number << 8 | bytes[i];
     }
@@ -118,7 +98,8 @@ static bool group(struct stream *s, unsigned count) {
         if (s->present > before && s->present < last) {
             return fail(s, MIP_ERROR_MISSING);
         }
-        s->stopped = s->present < last;
+        s->absent = s->present < last;
+        return true;
     } else {
         s->present = before;
         s->mark = s->at;
@@ -144,7 +125,7 @@ static bool constant(struct stream *s, const uint8_t *bytes, size_t size) {
 /** The program of the case that a tag selects; NULL if it has none. */
 static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size, size_t cases) {
     uint8_t bytes[8];
-    move(bytes, tag, size, 1, true);
+    get_number(bytes, tag, size);
     for (; cases > 0; cases--) {
         bool same = true;
         for (size_t i = 0; i < size; i++) {
@@ -164,22 +145,26 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
     size_t times = 1;
     for (;;) {
         const unsigned step = *p++;
-        if (step >= MIP_NUMBERS(1, 0)) { /* numbers */
+        if (step >= MIP_NUMBERS(MIP_KIND_DOUBLE, 0)) { /* numbers */
             const unsigned kind = step >> 5;
             size_t n = step & 31;
             n = (n > 0 ? n : *p++) * times;
             times = 1;
             uint8_t *memory = base + place(s, &p);
-            const size_t size = kind < 5 ? (size_t)1 << (kind - 1) : 8;
-            uint8_t *wire = take(s, n * size);
+            if (s->absent) {
+                const size_t size = kind == MIP_KIND_DOUBLE ? sizeof(double) : 1U << (kind & 3);
+                for (size_t i = 0; i < n * size; i++) {
+                    if (memory[i] != 0) {
+                        return fail(s, MIP_ERROR_MISSING);
+                    }
+                }
+                continue;
+            }
+            uint8_t *wire = take(s, n << (kind & 3));
             if (wire == NULL) {
                 return false;
             }
-            if (kind == 5 && sizeof(double) < 8) {
-                move_narrow(wire, memory, n, s->writing);
-            } else {
-                move(wire, memory, size, n, s->writing);
-            }
+            mip_move(wire, memory, kind, n, s->writing);
             continue;
         }
         switch (step) {
@@ -197,7 +182,7 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
                 if (wire == NULL) {
                     return false;
                 }
-                move(wire, base + 1, 1, 1, s->writing);
+                mip_move(wire, base + 1, 4, 1, s->writing);
                 const uint8_t index = (uint8_t)(base[1] - 1U);
                 s->required = index < functions ? p[index] : 0;
                 p += functions;
@@ -210,7 +195,7 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             break;
         }
         case MIP_STEP_CONSTANT:
-            if (!constant(s, p + 1, p[0])) {
+            if (!s->absent && !constant(s, p + 1, p[0])) {
                 return false;
             }
             p += 1 + p[0];
@@ -249,6 +234,11 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             }
             break;
         }
+        case MIP_STEP_RESERVED:
+            if (s->absent) {
+                return false;
+            }
+            break;
         case MIP_STEP_END:
             return true;
         default: /* a group */
@@ -259,8 +249,22 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
     }
 }
 
-mip_error mip_program_read(const struct mip_codec *codec, void *value,
-                           const struct mip_field *field, size_t *trailing) {
+static bool matches(const struct mip_codec *codec, const struct mip_field *field) {
+    const uint8_t *p = codec->program; /* it begins with MIP_LAYOUT */
+    if (field->size < p[1] || field->size > p[2]) {
+        return false;
+    }
+    for (size_t left = p[3]; left > 0; left--) { /* places in the data, and the bytes there */
+        p += 2;
+        if (p[2] < field->size && field->data[p[2]] != p[3]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static mip_error read_field(const struct mip_codec *codec, void *value,
+                            const struct mip_field *field, size_t *trailing) {
     struct stream s;
     /* Nothing is written to the field. */
     uint8_t *data = (uint8_t *)(uintptr_t)field->data;
@@ -273,20 +277,16 @@ mip_error mip_program_read(const struct mip_codec *codec, void *value,
         run(&s, codec->program, (uint8_t *)value);
         end = s.mark; /* if a group is incomplete, again without it */
     } while (s.cut);
-    if (s.error != MIP_OK) {
-        memset(value, 0, codec->size);
-    } else if (s.counts) {
+    if (s.error == MIP_OK && s.counts) {
         const bool empty = s.optional && s.at == s.mark; /* an empty union: same as absent */
         *(uint8_t *)value = s.stopped || empty ? s.present : s.last;
     }
-    if (trailing != NULL) {
-        *trailing = (size_t)(data + field->size - s.at);
-    }
+    *trailing = (size_t)(data + field->size - s.at);
     return (mip_error)s.error;
 }
 
-mip_error mip_program_write(const struct mip_codec *codec, const void *value, uint8_t *data,
-                            size_t room, size_t *size) {
+static mip_error write_field(const struct mip_codec *codec, const void *value, uint8_t *data,
+                             size_t room, size_t *size) {
     struct stream s;
     memset(&s, 0, sizeof(s));
     s.at = data;
@@ -294,9 +294,12 @@ mip_error mip_program_write(const struct mip_codec *codec, const void *value, ui
     s.writing = true;
     /* Nothing is written to the structure. */
     run(&s, codec->program, (uint8_t *)(uintptr_t)value);
-    if (!s.stopped && s.present > s.last) {
+    if (s.error == MIP_OK && s.present > s.last) {
         s.error = MIP_ERROR_MISSING;
     }
     *size = (size_t)(s.at - data);
     return (mip_error)s.error;
 }
+
+const struct mip_interpreter mip_program = {NULL, read_field, write_field};
+const struct mip_interpreter mip_layout = {matches, read_field, write_field};

@@ -1,6 +1,7 @@
 /**
  * @file
- * The programs that describe layouts: what generated sources contain and codec.c runs.
+ * The programs that describe layouts: what generated sources contain. Those of numbers only are run
+ * by codec.c, the others by program.c.
  *
  * A program is a row of steps in wire order, up to MIP_END. A step for numbers is one byte, kind
  * and count, and the place of the first one in the structure; the others follow it without a gap.
@@ -24,16 +25,28 @@ extern "C" {
 
 /** Numbers of one kind: 1 to 31 of them, or 0 if their count follows. */
 #define MIP_NUMBERS(kind, count) ((kind) << 5 | (count))
+/** The kinds. Their last two bits tell the size of a number: 1, 2, 4 or 8 bytes. Doubles are a kind
+ * of their own, which some compilers do not have. */
+#define MIP_KIND_DOUBLE 3
+/** One byte. */
+#define MIP_KIND_8 4
+/** Two bytes. */
+#define MIP_KIND_16 5
+/** Four bytes. */
+#define MIP_KIND_32 6
+/** Eight bytes. */
+#define MIP_KIND_64 7
+
+/** Doubles. */
+#define MIP_DOUBLES(count, place) MIP_NUMBERS(MIP_KIND_DOUBLE, count), place
 /** Numbers of 8 bits. */
-#define MIP_8_BITS(count, place) MIP_NUMBERS(1, count), place
+#define MIP_8_BITS(count, place) MIP_NUMBERS(MIP_KIND_8, count), place
 /** Numbers of 16 bits. */
-#define MIP_16_BITS(count, place) MIP_NUMBERS(2, count), place
+#define MIP_16_BITS(count, place) MIP_NUMBERS(MIP_KIND_16, count), place
 /** Numbers of 32 bits. */
-#define MIP_32_BITS(count, place) MIP_NUMBERS(3, count), place
+#define MIP_32_BITS(count, place) MIP_NUMBERS(MIP_KIND_32, count), place
 /** Numbers of 64 bits. */
-#define MIP_64_BITS(count, place) MIP_NUMBERS(4, count), place
-/** Doubles, which some compilers do not have. */
-#define MIP_DOUBLES(count, place) MIP_NUMBERS(5, count), place
+#define MIP_64_BITS(count, place) MIP_NUMBERS(MIP_KIND_64, count), place
 
 /** More than 31 numbers: MIP_8_BITS(0, MIP_MANY(200, place)). */
 #define MIP_MANY(count, place) count, place
@@ -58,6 +71,8 @@ enum {
     MIP_STEP_EACH,
     /** Of MIP_SWITCH. */
     MIP_STEP_SWITCH,
+    /** Of MIP_RESERVED. */
+    MIP_STEP_RESERVED,
     /** Of MIP_GROUP. */
     MIP_STEP_GROUP
 };
@@ -85,6 +100,9 @@ enum {
 #define MIP_GROUP(count) MIP_STEP_GROUP + (count)
 /** The same for more of them. */
 #define MIP_LARGE_GROUP(count) MIP_STEP_GROUP, count
+/** The parameters of the group that begins may have values even if they are left out: constructors
+ * fill in what is reserved. */
+#define MIP_RESERVED MIP_STEP_RESERVED
 /** Bytes that are always the same. */
 #define MIP_CONSTANT(size, ...) MIP_STEP_CONSTANT, size, __VA_ARGS__
 /** The next step is repeated as often as a member of `size` bytes says, at most `capacity`
@@ -100,15 +118,26 @@ enum {
 /** The bytes of the value that selects a case. Its program follows, which has `length` bytes. */
 #define MIP_CASE(length, ...) __VA_ARGS__, length
 
-/** Runs the program of a codec to decode a field, and counts the bytes after its last parameter.
- */
-mip_error mip_program_read(const struct mip_codec *codec, void *value,
-                           const struct mip_field *field, size_t *trailing);
+/** Reads or writes numbers of one kind, and returns the end of what it has read or written. */
+uint8_t *mip_move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count, bool writing);
 
-/** Runs the program of a codec to encode a field into `room` bytes, and counts those it has used.
- */
-mip_error mip_program_write(const struct mip_codec *codec, const void *value, uint8_t *data,
-                            size_t room, size_t *size);
+/** Runs programs that are more than numbers. Only their codecs refer to one, so that a program
+ * without such fields does not link it. */
+struct mip_interpreter {
+    /** Does the data have this layout? NULL if its descriptor has no other. */
+    bool (*matches)(const struct mip_codec *codec, const struct mip_field *field);
+    /** Decodes a field, and counts the bytes after its last parameter. */
+    mip_error (*read)(const struct mip_codec *codec, void *value, const struct mip_field *field,
+                      size_t *trailing);
+    /** Encodes a field into `room` bytes, and counts those that it has used. */
+    mip_error (*write)(const struct mip_codec *codec, const void *value, uint8_t *data, size_t room,
+                       size_t *size);
+};
+
+/** For the only layout of a descriptor. */
+extern const struct mip_interpreter mip_program;
+/** For one of several, which begins with MIP_SIZES or MIP_LAYOUT. */
+extern const struct mip_interpreter mip_layout;
 
 #ifdef __cplusplus
 }

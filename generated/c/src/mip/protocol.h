@@ -65,11 +65,11 @@ extern MIP_API const struct mip_codec mip_protocol_acknowledge_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_protocol_acknowledge_codec, value, field, NULL);
+    return mip_decode_only(&mip_protocol_acknowledge_codec, 0xF1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_protocol_acknowledge_encode(
+MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
 }
@@ -90,7 +90,7 @@ static inline mip_error mip_protocol_acknowledge_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_protocol_acknowledge_encode_inline(
+MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode_inline(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x00, 0xF1, 2, &data);

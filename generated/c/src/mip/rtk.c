@@ -13,15 +13,20 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_get_status_flags),
                                                          0,
-                                                         program_get_status_flags};
+                                                         false,
+                                                         program_get_status_flags,
+                                                         NULL};
 
 static const struct mip_response responses_get_status_flags[] = {
-    {&mip_rtk_get_status_flags_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x81},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec, NULL,
-                                                             responses_get_status_flags, 0};
+const struct mip_exchange mip_rtk_get_status_flags_exchange = {
+    0x0F, 0x01, 0, false, NULL, responses_get_status_flags};
+
+const struct mip_command mip_rtk_get_status_flags_command = {&mip_rtk_get_status_flags_codec,
+                                                             &mip_rtk_get_status_flags_exchange};
 
 static const uint8_t program_get_status_flags_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_rtk_get_status_flags_response, flags)),
@@ -35,22 +40,27 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     4,
     sizeof(struct mip_rtk_get_status_flags_response),
     0,
-    program_get_status_flags_response};
+    sizeof(struct mip_rtk_get_status_flags_response) >= 8,
+    program_get_status_flags_response,
+    NULL};
 
 static const uint8_t program_get_imei[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, program_get_imei};
+    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, false, program_get_imei, NULL};
 
 static const struct mip_response responses_get_imei[] = {
-    {&mip_rtk_get_imei_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec, NULL,
-                                                     responses_get_imei, 0};
+const struct mip_exchange mip_rtk_get_imei_exchange = {0x0F,  0x02, 0,
+                                                       false, NULL, responses_get_imei};
+
+const struct mip_command mip_rtk_get_imei_command = {&mip_rtk_get_imei_codec,
+                                                     &mip_rtk_get_imei_exchange};
 
 static const uint8_t program_get_imei_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_imei_response, imei))),
@@ -63,22 +73,27 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imei_response),
                                                           0,
-                                                          program_get_imei_response};
+                                                          false,
+                                                          program_get_imei_response,
+                                                          &mip_program};
 
 static const uint8_t program_get_imsi[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, program_get_imsi};
+    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, false, program_get_imsi, NULL};
 
 static const struct mip_response responses_get_imsi[] = {
-    {&mip_rtk_get_imsi_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x83},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec, NULL,
-                                                     responses_get_imsi, 0};
+const struct mip_exchange mip_rtk_get_imsi_exchange = {0x0F,  0x03, 0,
+                                                       false, NULL, responses_get_imsi};
+
+const struct mip_command mip_rtk_get_imsi_command = {&mip_rtk_get_imsi_codec,
+                                                     &mip_rtk_get_imsi_exchange};
 
 static const uint8_t program_get_imsi_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_imsi_response, imsi))),
@@ -91,22 +106,28 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {0x0F,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imsi_response),
                                                           0,
-                                                          program_get_imsi_response};
+                                                          false,
+                                                          program_get_imsi_response,
+                                                          &mip_program};
 
 static const uint8_t program_get_iccid[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), 0, program_get_iccid};
+    0x0F, 0x04,  MIP_COMMAND,       0,   sizeof(struct mip_rtk_get_iccid),
+    0,    false, program_get_iccid, NULL};
 
 static const struct mip_response responses_get_iccid[] = {
-    {&mip_rtk_get_iccid_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec, NULL,
-                                                      responses_get_iccid, 0};
+const struct mip_exchange mip_rtk_get_iccid_exchange = {0x0F,  0x04, 0,
+                                                        false, NULL, responses_get_iccid};
+
+const struct mip_command mip_rtk_get_iccid_command = {&mip_rtk_get_iccid_codec,
+                                                      &mip_rtk_get_iccid_exchange};
 
 static const uint8_t program_get_iccid_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_iccid_response, iccid))),
@@ -120,22 +141,27 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     0,
     sizeof(struct mip_rtk_get_iccid_response),
     0,
-    program_get_iccid_response};
+    false,
+    program_get_iccid_response,
+    &mip_program};
 
 static const uint8_t program_get_rssi[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, program_get_rssi};
+    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, false, program_get_rssi, NULL};
 
 static const struct mip_response responses_get_rssi[] = {
-    {&mip_rtk_get_rssi_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x85},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec, NULL,
-                                                     responses_get_rssi, 0};
+const struct mip_exchange mip_rtk_get_rssi_exchange = {0x0F,  0x05, 0,
+                                                       false, NULL, responses_get_rssi};
+
+const struct mip_command mip_rtk_get_rssi_command = {&mip_rtk_get_rssi_codec,
+                                                     &mip_rtk_get_rssi_exchange};
 
 static const uint8_t program_get_rssi_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_get_rssi_response, valid)),
@@ -149,7 +175,9 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
                                                           9,
                                                           sizeof(struct mip_rtk_get_rssi_response),
                                                           0,
-                                                          program_get_rssi_response};
+                                                          false,
+                                                          program_get_rssi_response,
+                                                          NULL};
 
 static const uint8_t program_connected_device_type[] = {
     MIP_REQUIRED(1, 1),
@@ -165,21 +193,22 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     0,
     sizeof(struct mip_rtk_connected_device_type),
     0,
-    program_connected_device_type};
+    false,
+    program_connected_device_type,
+    &mip_program};
 
-static bool asked_connected_device_type_1(const void *value) {
-    const struct mip_rtk_connected_device_type *v =
-        (const struct mip_rtk_connected_device_type *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_connected_device_type_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                        MIP_WHEN_END};
 static const struct mip_response responses_connected_device_type[] = {
-    {&mip_rtk_connected_device_type_response_codec, asked_connected_device_type_1},
-    {NULL, NULL},
+    {asked_connected_device_type_1, NULL, 0x86},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_connected_device_type_exchange = {
+    0x0F, 0x06, 0, true, NULL, responses_connected_device_type};
+
 const struct mip_command mip_rtk_connected_device_type_command = {
-    &mip_rtk_connected_device_type_codec, NULL, responses_connected_device_type, 0};
+    &mip_rtk_connected_device_type_codec, &mip_rtk_connected_device_type_exchange};
 
 static const uint8_t program_connected_device_type_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_connected_device_type_response, device_type)),
@@ -193,7 +222,9 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     1,
     sizeof(struct mip_rtk_connected_device_type_response),
     0,
-    program_connected_device_type_response};
+    sizeof(struct mip_rtk_connected_device_type_response) >= 8,
+    program_connected_device_type_response,
+    NULL};
 
 static const uint8_t program_get_activation_code[] = {
     MIP_END,
@@ -206,15 +237,20 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code),
     0,
-    program_get_activation_code};
+    false,
+    program_get_activation_code,
+    NULL};
 
 static const struct mip_response responses_get_activation_code[] = {
-    {&mip_rtk_get_activation_code_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x87},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_get_activation_code_exchange = {
+    0x0F, 0x07, 0, false, NULL, responses_get_activation_code};
+
 const struct mip_command mip_rtk_get_activation_code_command = {
-    &mip_rtk_get_activation_code_codec, NULL, responses_get_activation_code, 0};
+    &mip_rtk_get_activation_code_codec, &mip_rtk_get_activation_code_exchange};
 
 static const uint8_t program_get_activation_code_response[] = {
     MIP_8_BITS(0,
@@ -229,7 +265,9 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     0,
     sizeof(struct mip_rtk_get_activation_code_response),
     0,
-    program_get_activation_code_response};
+    false,
+    program_get_activation_code_response,
+    &mip_program};
 
 static const uint8_t program_get_modem_firmware_version[] = {
     MIP_END,
@@ -242,15 +280,20 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version),
     0,
-    program_get_modem_firmware_version};
+    false,
+    program_get_modem_firmware_version,
+    NULL};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
-    {&mip_rtk_get_modem_firmware_version_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange = {
+    0x0F, 0x08, 0, false, NULL, responses_get_modem_firmware_version};
+
 const struct mip_command mip_rtk_get_modem_firmware_version_command = {
-    &mip_rtk_get_modem_firmware_version_codec, NULL, responses_get_modem_firmware_version, 0};
+    &mip_rtk_get_modem_firmware_version_codec, &mip_rtk_get_modem_firmware_version_exchange};
 
 static const uint8_t program_get_modem_firmware_version_response[] = {
     MIP_8_BITS(0, MIP_MANY(32, MIP_AT(struct mip_rtk_get_modem_firmware_version_response,
@@ -265,23 +308,35 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
     0,
-    program_get_modem_firmware_version_response};
+    false,
+    program_get_modem_firmware_version_response,
+    &mip_program};
 
 static const uint8_t program_service_status[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_rtk_service_status, reserved1)),
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F, 0x0A, MIP_COMMAND, 8, sizeof(struct mip_rtk_service_status), 0, program_service_status};
+const struct mip_codec mip_rtk_service_status_codec = {0x0F,
+                                                       0x0A,
+                                                       MIP_COMMAND,
+                                                       8,
+                                                       sizeof(struct mip_rtk_service_status),
+                                                       0,
+                                                       sizeof(struct mip_rtk_service_status) >= 8,
+                                                       program_service_status,
+                                                       NULL};
 
 static const struct mip_response responses_service_status[] = {
-    {&mip_rtk_service_status_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8A},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec, NULL,
-                                                           responses_service_status, 0};
+const struct mip_exchange mip_rtk_service_status_exchange = {0x0F,  0x0A, 0,
+                                                             false, NULL, responses_service_status};
+
+const struct mip_command mip_rtk_service_status_command = {&mip_rtk_service_status_codec,
+                                                           &mip_rtk_service_status_exchange};
 
 static const uint8_t program_service_status_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_service_status_response, flags)),
@@ -297,18 +352,29 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     17,
     sizeof(struct mip_rtk_service_status_response),
     0,
-    program_service_status_response};
+    false,
+    program_service_status_response,
+    NULL};
 
 static const uint8_t program_erase_storage[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_erase_storage, media)),
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F, 0x20, MIP_COMMAND, 1, sizeof(struct mip_rtk_erase_storage), 0, program_erase_storage};
+const struct mip_codec mip_rtk_erase_storage_codec = {0x0F,
+                                                      0x20,
+                                                      MIP_COMMAND,
+                                                      1,
+                                                      sizeof(struct mip_rtk_erase_storage),
+                                                      0,
+                                                      sizeof(struct mip_rtk_erase_storage) >= 8,
+                                                      program_erase_storage,
+                                                      NULL};
 
-const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec, NULL, NULL,
-                                                          0};
+const struct mip_exchange mip_rtk_erase_storage_exchange = {0x0F, 0x20, 0, false, NULL, NULL};
+
+const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec,
+                                                          &mip_rtk_erase_storage_exchange};
 
 static const uint8_t program_led_control[] = {
     MIP_8_BITS(7, MIP_AT(struct mip_rtk_led_control, primary_color)),
@@ -317,9 +383,13 @@ static const uint8_t program_led_control[] = {
 };
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F, 0x21, MIP_COMMAND, 11, sizeof(struct mip_rtk_led_control), 0, program_led_control};
+    0x0F, 0x21,  MIP_COMMAND,         11,  sizeof(struct mip_rtk_led_control),
+    0,    false, program_led_control, NULL};
 
-const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec, NULL, NULL, 0};
+const struct mip_exchange mip_rtk_led_control_exchange = {0x0F, 0x21, 0, false, NULL, NULL};
+
+const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec,
+                                                        &mip_rtk_led_control_exchange};
 
 static const uint8_t program_modem_hard_reset[] = {
     MIP_END,
@@ -331,7 +401,11 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
                                                          0,
                                                          sizeof(struct mip_rtk_modem_hard_reset),
                                                          0,
-                                                         program_modem_hard_reset};
+                                                         false,
+                                                         program_modem_hard_reset,
+                                                         NULL};
 
-const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec, NULL,
-                                                             NULL, 0};
+const struct mip_exchange mip_rtk_modem_hard_reset_exchange = {0x0F, 0x22, 0, false, NULL, NULL};
+
+const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec,
+                                                             &mip_rtk_modem_hard_reset_exchange};

@@ -108,11 +108,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_status_flags_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_status_flags_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_status_flags_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_status_flags_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
@@ -143,11 +143,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_status_flags_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_response_decode(
     struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_status_flags_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_status_flags_response_codec, 0x81, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_status_flags_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
 }
@@ -167,7 +168,7 @@ static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x81, 4, &data);
@@ -206,12 +207,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_imei_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imei_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imei_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
 
@@ -240,11 +241,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_imei_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imei_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imei_response_codec, 0x82, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imei_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
 }
@@ -265,7 +266,7 @@ static inline mip_error mip_rtk_get_imei_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_imei_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x82, 32, &data);
@@ -304,12 +305,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_imsi_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imsi_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imsi_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
 
@@ -338,11 +339,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_imsi_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_imsi_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_imsi_response_codec, 0x83, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_imsi_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
 }
@@ -363,7 +364,7 @@ static inline mip_error mip_rtk_get_imsi_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_imsi_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x83, 32, &data);
@@ -402,12 +403,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_iccid_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_iccid_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_iccid_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
 
@@ -436,11 +437,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_iccid_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_iccid_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_iccid_response_codec, 0x84, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_iccid_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
 }
@@ -461,7 +462,7 @@ static inline mip_error mip_rtk_get_iccid_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_iccid_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x84, 32, &data);
@@ -500,12 +501,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_rssi_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_rssi_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_rssi_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
 
@@ -539,11 +540,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_rssi_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_rssi_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_rssi_response_codec, 0x85, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_rssi_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
 }
@@ -565,7 +566,7 @@ static inline mip_error mip_rtk_get_rssi_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_rssi_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x85, 9, &data);
@@ -614,11 +615,12 @@ extern MIP_API const struct mip_codec mip_rtk_connected_device_type_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_decode(
     struct mip_rtk_connected_device_type *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_connected_device_type_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_connected_device_type_codec, 0x06, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_connected_device_type_encode(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
 }
@@ -688,11 +690,12 @@ extern MIP_API const struct mip_codec mip_rtk_connected_device_type_response_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_response_decode(
     struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_connected_device_type_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_connected_device_type_response_codec, 0x86, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_connected_device_type_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
 }
@@ -712,7 +715,7 @@ static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x86, 1, &data);
@@ -751,11 +754,11 @@ extern MIP_API const struct mip_codec mip_rtk_get_activation_code_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_decode(
     struct mip_rtk_get_activation_code *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_activation_code_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_activation_code_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_activation_code_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
@@ -786,11 +789,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_activation_code_response_codec
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_response_decode(
     struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_activation_code_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_activation_code_response_codec, 0x87, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_activation_code_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
 }
@@ -811,7 +815,7 @@ static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x87, 32, &data);
@@ -850,11 +854,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_decode(
     struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_modem_firmware_version_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_modem_firmware_version_codec, 0x08, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_modem_firmware_version_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
@@ -884,11 +889,12 @@ extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_respons
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_response_decode(
     struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_get_modem_firmware_version_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_get_modem_firmware_version_response_codec, 0x88, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
 }
@@ -909,7 +915,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inlin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x88, 32, &data);
@@ -952,12 +958,12 @@ extern MIP_API const struct mip_codec mip_rtk_service_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_rtk_service_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_service_status_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
+    const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_codec, value, builder);
 }
 
@@ -977,7 +983,7 @@ static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_serv
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_service_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x0A, 8, &data);
@@ -1023,11 +1029,12 @@ extern MIP_API const struct mip_codec mip_rtk_service_status_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_response_decode(
     struct mip_rtk_service_status_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_rtk_service_status_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_service_status_response_codec, 0x8A, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_service_status_response_encode(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
 }
@@ -1050,7 +1057,7 @@ static inline mip_error mip_rtk_service_status_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_service_status_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode_inline(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x8A, 17, &data);
@@ -1096,12 +1103,12 @@ extern MIP_API const struct mip_codec mip_rtk_erase_storage_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_rtk_erase_storage_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_erase_storage_codec, 0x20, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_storage *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode(
+    const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
 }
 
@@ -1120,7 +1127,7 @@ static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_erase_storage_encode_inline(
+MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode_inline(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x20, 1, &data);
@@ -1177,12 +1184,12 @@ extern MIP_API const struct mip_codec mip_rtk_led_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_rtk_led_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_led_control_codec, 0x21, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_control *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_rtk_led_control_encode(const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_led_control_codec, value, builder);
 }
 
@@ -1204,8 +1211,8 @@ static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_con
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_led_control *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_rtk_led_control_encode_inline(
+    const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0F, 0x21, 11, &data);
     if (error != MIP_OK) {
@@ -1267,11 +1274,11 @@ extern MIP_API const struct mip_codec mip_rtk_modem_hard_reset_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_rtk_modem_hard_reset_codec, value, field, NULL);
+    return mip_decode_only(&mip_rtk_modem_hard_reset_codec, 0x22, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_rtk_modem_hard_reset_encode(
+MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
 }

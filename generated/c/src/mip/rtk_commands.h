@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_status_flags_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get status flags. If
@@ -33,12 +35,14 @@ static inline mip_error mip_send_rtk_get_status_flags(
 /** Get status flags. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_status_flags(
     struct mip_device *device, struct mip_rtk_get_status_flags_response *response) {
-    return mip_device_call(device, &mip_rtk_get_status_flags_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_status_flags_exchange, NULL, 0,
                            &mip_rtk_get_status_flags_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imei_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_imei_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMEI. If the
@@ -56,12 +60,14 @@ static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
 /** Get IMEI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
                                                       struct mip_rtk_get_imei_response *response) {
-    return mip_device_call(device, &mip_rtk_get_imei_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_imei_exchange, NULL, 0,
                            &mip_rtk_get_imei_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_imsi_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMSI. If the
@@ -79,12 +85,14 @@ static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
 /** Get IMSI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
                                                       struct mip_rtk_get_imsi_response *response) {
-    return mip_device_call(device, &mip_rtk_get_imsi_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_imsi_exchange, NULL, 0,
                            &mip_rtk_get_imsi_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_iccid_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get ICCID. If the
@@ -102,12 +110,14 @@ static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
 /** Get ICCID. See mip_device_call. */
 static inline struct mip_result
 mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_response *response) {
-    return mip_device_call(device, &mip_rtk_get_iccid_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_iccid_exchange, NULL, 0,
                            &mip_rtk_get_iccid_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_rssi_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get RSSI. If the
@@ -125,12 +135,14 @@ static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
 /** Get RSSI. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
                                                       struct mip_rtk_get_rssi_response *response) {
-    return mip_device_call(device, &mip_rtk_get_rssi_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_rssi_exchange, NULL, 0,
                            &mip_rtk_get_rssi_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_connected_device_type_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Connected device
@@ -151,17 +163,18 @@ static inline mip_error mip_send_rtk_connected_device_type(
  */
 static inline struct mip_result mip_call_rtk_connected_device_type_write(
     struct mip_device *device, enum mip_rtk_connected_device device_type) {
-    struct mip_rtk_connected_device_type command;
-    return mip_device_call(device, &mip_rtk_connected_device_type_command,
-                           mip_rtk_connected_device_type_write(&command, device_type), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)device_type);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 2, NULL, NULL);
 }
 
 /** Connected device type: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_connected_device_type_read(
     struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
-    struct mip_rtk_connected_device_type command;
-    return mip_device_call(device, &mip_rtk_connected_device_type_command,
-                           mip_rtk_connected_device_type_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1,
                            &mip_rtk_connected_device_type_response_codec, response);
 }
 
@@ -170,24 +183,24 @@ static inline struct mip_result mip_call_rtk_connected_device_type_read(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_rtk_connected_device_type_save(struct mip_device *device) {
-    struct mip_rtk_connected_device_type command;
-    return mip_device_call(device, &mip_rtk_connected_device_type_command,
-                           mip_rtk_connected_device_type_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
 }
 
 /** Connected device type: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_connected_device_type_load(struct mip_device *device) {
-    struct mip_rtk_connected_device_type command;
-    return mip_device_call(device, &mip_rtk_connected_device_type_command,
-                           mip_rtk_connected_device_type_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
 }
 
 /** Connected device type: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result
 mip_call_rtk_connected_device_type_default(struct mip_device *device) {
-    struct mip_rtk_connected_device_type command;
-    return mip_device_call(device, &mip_rtk_connected_device_type_command,
-                           mip_rtk_connected_device_type_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_rtk_connected_device_type_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -203,6 +216,8 @@ static inline struct mip_result mip_call_rtk_connected_device_type_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_activation_code_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get activation code.
@@ -218,12 +233,14 @@ static inline mip_error mip_send_rtk_get_activation_code(
 /** Get activation code. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_activation_code(
     struct mip_device *device, struct mip_rtk_get_activation_code_response *response) {
-    return mip_device_call(device, &mip_rtk_get_activation_code_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_activation_code_exchange, NULL, 0,
                            &mip_rtk_get_activation_code_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get modem firmware
@@ -239,12 +256,14 @@ static inline mip_error mip_send_rtk_get_modem_firmware_version(
 /** Get modem firmware version. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
     struct mip_device *device, struct mip_rtk_get_modem_firmware_version_response *response) {
-    return mip_device_call(device, &mip_rtk_get_modem_firmware_version_command, NULL,
+    return mip_device_send(device, &mip_rtk_get_modem_firmware_version_exchange, NULL, 0,
                            &mip_rtk_get_modem_firmware_version_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_service_status_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_service_status_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Service status. If
@@ -271,6 +290,8 @@ static inline struct mip_result mip_call_rtk_service_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_erase_storage_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Erase storage. */
 static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
@@ -289,9 +310,9 @@ static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
  */
 static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *device,
                                                            enum mip_rtk_storage_medium media) {
-    struct mip_rtk_erase_storage command;
-    return mip_device_call(device, &mip_rtk_erase_storage_command,
-                           mip_rtk_erase_storage_make(&command, media), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)media);
+    return mip_device_send(device, &mip_rtk_erase_storage_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -305,6 +326,8 @@ static inline struct mip_result mip_call_rtk_erase_storage_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_led_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_led_control_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. LED control. */
 static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
@@ -329,11 +352,16 @@ static inline struct mip_result mip_call_rtk_led_control(struct mip_device *devi
                                                          const uint8_t alternate_color[3],
                                                          enum mip_rtk_led_action action,
                                                          uint32_t period) {
-    struct mip_rtk_led_control command;
-    return mip_device_call(
-        device, &mip_rtk_led_control_command,
-        mip_rtk_led_control_make(&command, primary_color, alternate_color, action, period), NULL,
-        NULL);
+    uint8_t data[11];
+    mip_put_8(data + 6, (uint8_t)action);
+    mip_put_32(data + 7, (uint32_t)period);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_8(data + 3 + 1 * i, (uint8_t)alternate_color[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_8(data + 0 + 1 * i, (uint8_t)primary_color[i]);
+    }
+    return mip_device_send(device, &mip_rtk_led_control_exchange, data, 11, NULL, NULL);
 }
 
 /**
@@ -347,6 +375,8 @@ static inline struct mip_result mip_call_rtk_led_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_rtk_modem_hard_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Modem hard reset. */
 static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
@@ -358,7 +388,7 @@ static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
 
 /** Modem hard reset. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_modem_hard_reset(struct mip_device *device) {
-    return mip_device_call(device, &mip_rtk_modem_hard_reset_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_rtk_modem_hard_reset_exchange, NULL, 0, NULL, NULL);
 }
 
 #ifdef __cplusplus

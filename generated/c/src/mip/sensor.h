@@ -77,12 +77,12 @@ extern MIP_API const struct mip_codec mip_sensor_raw_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_accel_codec, value, builder);
 }
 
@@ -103,8 +103,8 @@ static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sensor_raw_accel *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_accel_encode_inline(
+    const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x01, 12, &data);
     if (error != MIP_OK) {
@@ -144,12 +144,12 @@ extern MIP_API const struct mip_codec mip_sensor_raw_gyro_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_gyro_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_gyro_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_gyro_codec, value, builder);
 }
 
@@ -170,8 +170,8 @@ static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_sensor_raw_gyro *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_gyro_encode_inline(
+    const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x02, 12, &data);
     if (error != MIP_OK) {
@@ -215,12 +215,12 @@ extern MIP_API const struct mip_codec mip_sensor_raw_mag_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_mag_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_mag_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_mag_codec, value, builder);
 }
 
@@ -241,8 +241,8 @@ static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_m
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor_raw_mag *value,
-                                                         struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_mag_encode_inline(
+    const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x03, 12, &data);
     if (error != MIP_OK) {
@@ -286,12 +286,12 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_accel_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode(
+    const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_accel_codec, value, builder);
 }
 
@@ -312,7 +312,7 @@ static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode_inline(
     const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x04, 12, &data);
@@ -357,12 +357,12 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_gyro_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_gyro_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_gyro_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode(
+    const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_gyro_codec, value, builder);
 }
 
@@ -383,7 +383,7 @@ static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_s
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_gyro_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x05, 12, &data);
@@ -424,12 +424,12 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_mag_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_mag_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_mag_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode(
+    const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_mag_codec, value, builder);
 }
 
@@ -450,7 +450,7 @@ static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_sc
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_mag_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode_inline(
     const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x06, 12, &data);
@@ -494,12 +494,12 @@ extern MIP_API const struct mip_codec mip_sensor_delta_theta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_sensor_delta_theta_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_delta_theta_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode(
+    const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_theta_codec, value, builder);
 }
 
@@ -520,7 +520,7 @@ static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_delta_theta_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode_inline(
     const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x07, 12, &data);
@@ -568,11 +568,11 @@ extern MIP_API const struct mip_codec mip_sensor_delta_velocity_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_sensor_delta_velocity_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_delta_velocity_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_delta_velocity_encode(
+MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_velocity_codec, value, builder);
 }
@@ -594,7 +594,7 @@ static inline mip_error mip_sensor_delta_velocity_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_delta_velocity_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode_inline(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x08, 12, &data);
@@ -641,11 +641,12 @@ extern MIP_API const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_matrix_decode(
     struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_orientation_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_orientation_matrix_codec, 0x09, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_orientation_matrix_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_matrix_codec, value, builder);
 }
@@ -667,7 +668,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x09, 36, &data);
@@ -714,11 +715,11 @@ extern MIP_API const struct mip_codec mip_sensor_comp_quaternion_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_quaternion_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_quaternion_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_quaternion_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_quaternion_codec, value, builder);
 }
@@ -740,7 +741,7 @@ static inline mip_error mip_sensor_comp_quaternion_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_quaternion_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0A, 16, &data);
@@ -785,11 +786,12 @@ extern MIP_API const struct mip_codec mip_sensor_comp_orientation_update_matrix_
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_update_matrix_decode(
     struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_orientation_update_matrix_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_orientation_update_matrix_codec, 0x0B, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_update_matrix_codec, value, builder);
 }
@@ -811,7 +813,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0B, 36, &data);
@@ -868,11 +870,11 @@ extern MIP_API const struct mip_codec mip_sensor_comp_euler_angles_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_euler_angles_decode(
     struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_comp_euler_angles_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_comp_euler_angles_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_comp_euler_angles_encode(
+MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_euler_angles_codec, value, builder);
 }
@@ -894,7 +896,7 @@ static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0C, 12, &data);
@@ -942,11 +944,12 @@ extern MIP_API const struct mip_codec mip_sensor_orientation_raw_temperature_cod
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_orientation_raw_temperature_decode(
     struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_orientation_raw_temperature_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_orientation_raw_temperature_codec, 0x0D, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_orientation_raw_temperature_encode(
+MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_orientation_raw_temperature_codec, value, builder);
 }
@@ -968,7 +971,7 @@ static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0D, 8, &data);
@@ -1011,11 +1014,12 @@ extern MIP_API const struct mip_codec mip_sensor_internal_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_internal_timestamp_decode(
     struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_internal_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_internal_timestamp_codec, 0x0E, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_internal_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_internal_timestamp_codec, value, builder);
 }
@@ -1035,7 +1039,7 @@ static inline mip_error mip_sensor_internal_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_internal_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0E, 4, &data);
@@ -1083,11 +1087,11 @@ extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_sensor_pps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_pps_timestamp_codec, 0x0F, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_pps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_codec, value, builder);
 }
@@ -1112,7 +1116,7 @@ static inline mip_error mip_sensor_pps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_pps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 8, &data);
@@ -1164,11 +1168,12 @@ extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_with_flags_decode(
     struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_pps_timestamp_with_flags_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_pps_timestamp_with_flags_codec, 0x0F, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_with_flags_codec, value, builder);
 }
@@ -1194,7 +1199,7 @@ static inline mip_error mip_sensor_pps_timestamp_with_flags_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_inline(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 9, &data);
@@ -1239,12 +1244,12 @@ extern MIP_API const struct mip_codec mip_sensor_north_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_north_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_north_vector_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode(
+    const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_north_vector_codec, value, builder);
 }
 
@@ -1265,7 +1270,7 @@ static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_north_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode_inline(
     const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x10, 12, &data);
@@ -1311,12 +1316,12 @@ extern MIP_API const struct mip_codec mip_sensor_up_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_sensor_up_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_up_vector_codec, 0x11, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_up_vector_codec, value, builder);
 }
 
@@ -1337,8 +1342,8 @@ static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sensor_up_vector *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_up_vector_encode_inline(
+    const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x11, 12, &data);
     if (error != MIP_OK) {
@@ -1402,11 +1407,11 @@ extern MIP_API const struct mip_codec mip_sensor_gps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_sensor_gps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_gps_timestamp_codec, 0x12, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_gps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_gps_timestamp_codec, value, builder);
 }
@@ -1428,7 +1433,7 @@ static inline mip_error mip_sensor_gps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_gps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x12, 12, &data);
@@ -1474,11 +1479,12 @@ extern MIP_API const struct mip_codec mip_sensor_temperature_statistics_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_temperature_statistics_decode(
     struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_temperature_statistics_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_temperature_statistics_codec, 0x14, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_temperature_statistics_encode(
+MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_temperature_statistics_codec, value, builder);
 }
@@ -1500,7 +1506,7 @@ static inline mip_error mip_sensor_temperature_statistics_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_temperature_statistics_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode_inline(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x14, 12, &data);
@@ -1540,12 +1546,12 @@ extern MIP_API const struct mip_codec mip_sensor_raw_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_sensor_raw_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_raw_pressure_codec, 0x16, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode(
+    const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_pressure_codec, value, builder);
 }
 
@@ -1564,7 +1570,7 @@ static inline mip_error mip_sensor_raw_pressure_decode_inline(struct mip_sensor_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_raw_pressure_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode_inline(
     const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x16, 4, &data);
@@ -1604,11 +1610,11 @@ extern MIP_API const struct mip_codec mip_sensor_scaled_pressure_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_sensor_scaled_pressure_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_scaled_pressure_codec, 0x17, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_scaled_pressure_encode(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_pressure_codec, value, builder);
 }
@@ -1628,7 +1634,7 @@ static inline mip_error mip_sensor_scaled_pressure_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_scaled_pressure_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x17, 4, &data);
@@ -1666,11 +1672,11 @@ extern MIP_API const struct mip_codec mip_sensor_overrange_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_overrange_status_decode(
     struct mip_sensor_overrange_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_sensor_overrange_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_overrange_status_codec, 0x18, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_overrange_status_encode(
+MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_overrange_status_codec, value, builder);
 }
@@ -1690,7 +1696,7 @@ static inline mip_error mip_sensor_overrange_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_overrange_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode_inline(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x18, 2, &data);
@@ -1738,12 +1744,12 @@ extern MIP_API const struct mip_codec mip_sensor_odometer_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
                                                    const struct mip_field *field) {
-    return mip_decode(&mip_sensor_odometer_codec, value, field, NULL);
+    return mip_decode_only(&mip_sensor_odometer_codec, 0x40, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
-                                                   struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_sensor_odometer_encode(const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_odometer_codec, value, builder);
 }
 
@@ -1764,8 +1770,8 @@ static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odom
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_sensor_odometer_encode_inline(const struct mip_sensor_odometer *value,
-                                                          struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_sensor_odometer_encode_inline(
+    const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x80, 0x40, 10, &data);
     if (error != MIP_OK) {

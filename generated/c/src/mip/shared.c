@@ -7,24 +7,45 @@ static const uint8_t program_event_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_shared_event_source_codec = {
-    0xFF, 0xD0, MIP_DATA, 1, sizeof(struct mip_shared_event_source), 0, program_event_source};
+const struct mip_codec mip_shared_event_source_codec = {0xFF,
+                                                        0xD0,
+                                                        MIP_DATA,
+                                                        1,
+                                                        sizeof(struct mip_shared_event_source),
+                                                        0,
+                                                        sizeof(struct mip_shared_event_source) >= 8,
+                                                        program_event_source,
+                                                        NULL};
 
 static const uint8_t program_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_ticks, ticks)),
     MIP_END,
 };
 
-const struct mip_codec mip_shared_ticks_codec = {
-    0xFF, 0xD1, MIP_DATA, 4, sizeof(struct mip_shared_ticks), 0, program_ticks};
+const struct mip_codec mip_shared_ticks_codec = {0xFF,
+                                                 0xD1,
+                                                 MIP_DATA,
+                                                 4,
+                                                 sizeof(struct mip_shared_ticks),
+                                                 0,
+                                                 sizeof(struct mip_shared_ticks) >= 8,
+                                                 program_ticks,
+                                                 NULL};
 
 static const uint8_t program_delta_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_delta_ticks, ticks)),
     MIP_END,
 };
 
-const struct mip_codec mip_shared_delta_ticks_codec = {
-    0xFF, 0xD2, MIP_DATA, 4, sizeof(struct mip_shared_delta_ticks), 0, program_delta_ticks};
+const struct mip_codec mip_shared_delta_ticks_codec = {0xFF,
+                                                       0xD2,
+                                                       MIP_DATA,
+                                                       4,
+                                                       sizeof(struct mip_shared_delta_ticks),
+                                                       0,
+                                                       sizeof(struct mip_shared_delta_ticks) >= 8,
+                                                       program_delta_ticks,
+                                                       NULL};
 
 static const uint8_t program_gps_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_gps_timestamp, tow)),
@@ -32,16 +53,31 @@ static const uint8_t program_gps_timestamp[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF, 0xD3, MIP_DATA, 12, sizeof(struct mip_shared_gps_timestamp), 0, program_gps_timestamp};
+const struct mip_codec mip_shared_gps_timestamp_codec = {0xFF,
+                                                         0xD3,
+                                                         MIP_DATA,
+                                                         12,
+                                                         sizeof(struct mip_shared_gps_timestamp),
+                                                         0,
+                                                         sizeof(struct mip_shared_gps_timestamp) >=
+                                                             8,
+                                                         program_gps_timestamp,
+                                                         NULL};
 
 static const uint8_t program_delta_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_delta_time, seconds)),
     MIP_END,
 };
 
-const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF, 0xD4, MIP_DATA, 8, sizeof(struct mip_shared_delta_time), 0, program_delta_time};
+const struct mip_codec mip_shared_delta_time_codec = {0xFF,
+                                                      0xD4,
+                                                      MIP_DATA,
+                                                      8,
+                                                      sizeof(struct mip_shared_delta_time),
+                                                      0,
+                                                      sizeof(struct mip_shared_delta_time) >= 8,
+                                                      program_delta_time,
+                                                      NULL};
 
 static const uint8_t program_reference_timestamp[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_reference_timestamp, nanoseconds)),
@@ -55,7 +91,9 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     8,
     sizeof(struct mip_shared_reference_timestamp),
     0,
-    program_reference_timestamp};
+    sizeof(struct mip_shared_reference_timestamp) >= 8,
+    program_reference_timestamp,
+    NULL};
 
 static const uint8_t program_reference_time_delta[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_reference_time_delta, dt_nanos)),
@@ -69,7 +107,9 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     8,
     sizeof(struct mip_shared_reference_time_delta),
     0,
-    program_reference_time_delta};
+    sizeof(struct mip_shared_reference_time_delta) >= 8,
+    program_reference_time_delta,
+    NULL};
 
 static const uint8_t program_external_timestamp[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_external_timestamp, nanoseconds)),
@@ -84,7 +124,9 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     10,
     sizeof(struct mip_shared_external_timestamp),
     0,
-    program_external_timestamp};
+    sizeof(struct mip_shared_external_timestamp) >= 8,
+    program_external_timestamp,
+    NULL};
 
 static const uint8_t program_external_time_delta[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_external_time_delta, dt_nanos)),
@@ -99,4 +141,6 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     10,
     sizeof(struct mip_shared_external_time_delta),
     0,
-    program_external_time_delta};
+    sizeof(struct mip_shared_external_time_delta) >= 8,
+    program_external_time_delta,
+    NULL};

@@ -68,12 +68,12 @@ extern MIP_API const struct mip_codec mip_shared_event_source_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_shared_event_source_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_event_source_codec, 0xD0, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
+    const struct mip_shared_event_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_event_source_codec, value, builder);
 }
 
@@ -92,7 +92,7 @@ static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_event_source_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_event_source_encode_inline(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD0, 1, &data);
@@ -134,12 +134,12 @@ extern MIP_API const struct mip_codec mip_shared_ticks_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_shared_ticks_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_ticks_codec, 0xD1, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_shared_ticks_codec, value, builder);
 }
 
@@ -158,8 +158,8 @@ static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD1, 4, &data);
     if (error != MIP_OK) {
@@ -199,12 +199,12 @@ extern MIP_API const struct mip_codec mip_shared_delta_ticks_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_shared_delta_ticks_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_delta_ticks_codec, 0xD2, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
+    const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
 }
 
@@ -223,7 +223,7 @@ static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_delta_ticks_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode_inline(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD2, 4, &data);
@@ -283,11 +283,11 @@ extern MIP_API const struct mip_codec mip_shared_gps_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_shared_gps_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_gps_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_gps_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
 }
@@ -309,7 +309,7 @@ static inline mip_error mip_shared_gps_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_gps_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 12, &data);
@@ -353,12 +353,12 @@ extern MIP_API const struct mip_codec mip_shared_delta_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_shared_delta_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_delta_time_codec, 0xD4, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
+    const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_time_codec, value, builder);
 }
 
@@ -377,7 +377,7 @@ static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_de
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_delta_time_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_delta_time_encode_inline(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD4, 8, &data);
@@ -419,11 +419,12 @@ extern MIP_API const struct mip_codec mip_shared_reference_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_timestamp_decode(
     struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_reference_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_reference_timestamp_codec, 0xD5, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_reference_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
 }
@@ -443,7 +444,7 @@ static inline mip_error mip_shared_reference_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_reference_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode_inline(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD5, 8, &data);
@@ -483,11 +484,12 @@ extern MIP_API const struct mip_codec mip_shared_reference_time_delta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_time_delta_decode(
     struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_reference_time_delta_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_reference_time_delta_codec, 0xD6, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_reference_time_delta_encode(
+MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
 }
@@ -507,7 +509,7 @@ static inline mip_error mip_shared_reference_time_delta_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_reference_time_delta_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode_inline(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD6, 8, &data);
@@ -564,11 +566,12 @@ extern MIP_API const struct mip_codec mip_shared_external_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_timestamp_decode(
     struct mip_shared_external_timestamp *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_external_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_external_timestamp_codec, 0xD7, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_external_timestamp_encode(
+MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
 }
@@ -589,7 +592,7 @@ static inline mip_error mip_shared_external_timestamp_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_external_timestamp_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode_inline(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD7, 10, &data);
@@ -637,11 +640,12 @@ extern MIP_API const struct mip_codec mip_shared_external_time_delta_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_time_delta_decode(
     struct mip_shared_external_time_delta *value, const struct mip_field *field) {
-    return mip_decode(&mip_shared_external_time_delta_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_external_time_delta_codec, 0xD8, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_external_time_delta_encode(
+MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
 }
@@ -662,7 +666,7 @@ static inline mip_error mip_shared_external_time_delta_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_external_time_delta_encode_inline(
+MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode_inline(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD8, 10, &data);

@@ -21,21 +21,22 @@ const struct mip_codec mip_system_interface_control_codec = {
     0,
     sizeof(struct mip_system_interface_control),
     0,
-    program_interface_control};
+    false,
+    program_interface_control,
+    &mip_program};
 
-static bool asked_interface_control_1(const void *value) {
-    const struct mip_system_interface_control *v =
-        (const struct mip_system_interface_control *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_interface_control_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ),
+                                                    MIP_WHEN_END};
 static const struct mip_response responses_interface_control[] = {
-    {&mip_system_interface_control_response_codec, asked_interface_control_1},
-    {NULL, NULL},
+    {asked_interface_control_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
+const struct mip_exchange mip_system_interface_control_exchange = {
+    0x7F, 0x02, 0, true, NULL, responses_interface_control};
+
 const struct mip_command mip_system_interface_control_command = {
-    &mip_system_interface_control_codec, NULL, responses_interface_control, 0};
+    &mip_system_interface_control_codec, &mip_system_interface_control_exchange};
 
 static const uint8_t program_interface_control_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_interface_control_response, port)),
@@ -50,7 +51,9 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     9,
     sizeof(struct mip_system_interface_control_response),
     0,
-    program_interface_control_response};
+    false,
+    program_interface_control_response,
+    NULL};
 
 static const uint8_t program_comm_mode[] = {
     MIP_REQUIRED(1, 1),
@@ -60,20 +63,20 @@ static const uint8_t program_comm_mode[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10, MIP_COMMAND, 0, sizeof(struct mip_system_comm_mode), 0, program_comm_mode};
+    0x7F, 0x10,  MIP_COMMAND,       0,           sizeof(struct mip_system_comm_mode),
+    0,    false, program_comm_mode, &mip_program};
 
-static bool asked_comm_mode_1(const void *value) {
-    const struct mip_system_comm_mode *v = (const struct mip_system_comm_mode *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_comm_mode_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_comm_mode[] = {
-    {&mip_system_comm_mode_response_codec, asked_comm_mode_1},
-    {NULL, NULL},
+    {asked_comm_mode_1, NULL, 0x90},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec, NULL,
-                                                         responses_comm_mode, 0};
+const struct mip_exchange mip_system_comm_mode_exchange = {0x7F, 0x10, 0,
+                                                           true, NULL, responses_comm_mode};
+
+const struct mip_command mip_system_comm_mode_command = {&mip_system_comm_mode_codec,
+                                                         &mip_system_comm_mode_exchange};
 
 static const uint8_t program_comm_mode_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_comm_mode_response, mode)),
@@ -87,4 +90,6 @@ const struct mip_codec mip_system_comm_mode_response_codec = {
     1,
     sizeof(struct mip_system_comm_mode_response),
     0,
-    program_comm_mode_response};
+    sizeof(struct mip_system_comm_mode_response) >= 8,
+    program_comm_mode_response,
+    NULL};

@@ -105,11 +105,11 @@ extern MIP_API const struct mip_codec mip_system_interface_control_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_decode(
     struct mip_system_interface_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_interface_control_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_interface_control_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_interface_control_encode(
+MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
 }
@@ -216,11 +216,12 @@ extern MIP_API const struct mip_codec mip_system_interface_control_response_code
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_response_decode(
     struct mip_system_interface_control_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_interface_control_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_interface_control_response_codec, 0x82, value,
+                           sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_interface_control_response_encode(
+MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_response_codec, value, builder);
 }
@@ -242,7 +243,7 @@ static inline mip_error mip_system_interface_control_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_interface_control_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode_inline(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x7F, 0x82, 9, &data);
@@ -298,12 +299,12 @@ extern MIP_API const struct mip_codec mip_system_comm_mode_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_system_comm_mode_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_comm_mode_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm_mode *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
 }
 /**
@@ -377,11 +378,12 @@ extern MIP_API const struct mip_codec mip_system_comm_mode_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_response_decode(
     struct mip_system_comm_mode_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_comm_mode_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_comm_mode_response_codec, 0x90, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_comm_mode_response_encode(
+MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
 }
@@ -401,7 +403,7 @@ static inline mip_error mip_system_comm_mode_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_comm_mode_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode_inline(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x7F, 0x90, 1, &data);

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_interface_control_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_system_interface_control_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Interface control. If
@@ -42,11 +44,12 @@ static inline mip_error mip_send_system_interface_control(
 static inline struct mip_result mip_call_system_interface_control_write(
     struct mip_device *device, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
-    struct mip_system_interface_control command;
-    return mip_device_call(
-        device, &mip_system_interface_control_command,
-        mip_system_interface_control_write(&command, port, protocols_incoming, protocols_outgoing),
-        NULL, NULL);
+    uint8_t data[10];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)port);
+    mip_put_32(data + 2, (uint32_t)protocols_incoming);
+    mip_put_32(data + 6, (uint32_t)protocols_outgoing);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 10, NULL, NULL);
 }
 
 /**
@@ -58,9 +61,10 @@ static inline struct mip_result mip_call_system_interface_control_write(
 static inline struct mip_result
 mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_interface port,
                                        struct mip_system_interface_control_response *response) {
-    struct mip_system_interface_control command;
-    return mip_device_call(device, &mip_system_interface_control_command,
-                           mip_system_interface_control_read(&command, port),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2,
                            &mip_system_interface_control_response_codec, response);
 }
 
@@ -72,9 +76,10 @@ mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_
  */
 static inline struct mip_result
 mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_interface port) {
-    struct mip_system_interface_control command;
-    return mip_device_call(device, &mip_system_interface_control_command,
-                           mip_system_interface_control_save(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -85,9 +90,10 @@ mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_
  */
 static inline struct mip_result
 mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_interface port) {
-    struct mip_system_interface_control command;
-    return mip_device_call(device, &mip_system_interface_control_command,
-                           mip_system_interface_control_load(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -98,9 +104,10 @@ mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_
  */
 static inline struct mip_result
 mip_call_system_interface_control_default(struct mip_device *device, enum mip_comm_interface port) {
-    struct mip_system_interface_control command;
-    return mip_device_call(device, &mip_system_interface_control_command,
-                           mip_system_interface_control_default(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_system_interface_control_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -116,6 +123,8 @@ static inline struct mip_result mip_call_system_interface_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_comm_mode_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_system_comm_mode_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Communication mode.
@@ -140,17 +149,18 @@ static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
  */
 static inline struct mip_result
 mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_protocol_mode mode) {
-    struct mip_system_comm_mode command;
-    return mip_device_call(device, &mip_system_comm_mode_command,
-                           mip_system_comm_mode_write(&command, mode), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)mode);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 2, NULL, NULL);
 }
 
 /** Communication mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_read(
     struct mip_device *device, struct mip_system_comm_mode_response *response) {
-    struct mip_system_comm_mode command;
-    return mip_device_call(device, &mip_system_comm_mode_command,
-                           mip_system_comm_mode_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1,
                            &mip_system_comm_mode_response_codec, response);
 }
 
@@ -158,23 +168,23 @@ static inline struct mip_result mip_call_system_comm_mode_read(
  * Communication mode: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
 static inline struct mip_result mip_call_system_comm_mode_save(struct mip_device *device) {
-    struct mip_system_comm_mode command;
-    return mip_device_call(device, &mip_system_comm_mode_command,
-                           mip_system_comm_mode_save(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** Communication mode: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_load(struct mip_device *device) {
-    struct mip_system_comm_mode command;
-    return mip_device_call(device, &mip_system_comm_mode_command,
-                           mip_system_comm_mode_load(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
 }
 
 /** Communication mode: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_default(struct mip_device *device) {
-    struct mip_system_comm_mode command;
-    return mip_device_call(device, &mip_system_comm_mode_command,
-                           mip_system_comm_mode_default(&command), NULL, NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_system_comm_mode_exchange, data, 1, NULL, NULL);
 }
 
 /**

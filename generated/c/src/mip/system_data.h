@@ -76,11 +76,12 @@ extern MIP_API const struct mip_codec mip_system_data_built_in_test_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_built_in_test_decode(
     struct mip_system_data_built_in_test *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_built_in_test_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_built_in_test_codec, 0x01, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_built_in_test_encode(
+MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
 }
@@ -100,7 +101,7 @@ static inline mip_error mip_system_data_built_in_test_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_built_in_test_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode_inline(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x01, 16, &data);
@@ -141,11 +142,12 @@ extern MIP_API const struct mip_codec mip_system_data_time_sync_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_time_sync_status_decode(
     struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_time_sync_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_time_sync_status_codec, 0x02, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_time_sync_status_encode(
+MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
 }
@@ -166,7 +168,7 @@ static inline mip_error mip_system_data_time_sync_status_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_time_sync_status_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode_inline(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x02, 2, &data);
@@ -214,11 +216,11 @@ extern MIP_API const struct mip_codec mip_system_data_gpio_state_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
                                                           const struct mip_field *field) {
-    return mip_decode(&mip_system_data_gpio_state_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_gpio_state_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_gpio_state_encode(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
 }
@@ -238,7 +240,7 @@ static inline mip_error mip_system_data_gpio_state_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_gpio_state_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x03, 1, &data);
@@ -280,11 +282,12 @@ extern MIP_API const struct mip_codec mip_system_data_gpio_analog_value_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_analog_value_decode(
     struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
-    return mip_decode(&mip_system_data_gpio_analog_value_codec, value, field, NULL);
+    return mip_decode_only(&mip_system_data_gpio_analog_value_codec, 0x04, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_system_data_gpio_analog_value_encode(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
 }
@@ -305,7 +308,7 @@ static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
+MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xA0, 0x04, 5, &data);

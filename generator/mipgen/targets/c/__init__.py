@@ -61,7 +61,8 @@ def code(model: m.Model) -> Iterator[File]:
 
 def everything(made: list[File]) -> list[str]:
     """The headers that programs include; of the runtime too."""
-    return [name for name in present(made) if name.endswith(".h") and name not in ("export.h", "mip.h", "program.h")]
+    inner = ("checksum.h", "export.h", "mip.h", "program.h")
+    return [name for name in present(made) if name.endswith(".h") and name not in inner]
 
 
 def present(made: list[File]) -> list[str]:
@@ -146,7 +147,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "has_accessor": members.has_accessor,
         # layouts
         "program": lambda f: bytecode.program(f, model.layouts(f), model.sizes(f)),
-        "numbers_only": lambda f: bytecode.numbers(f, model.layouts(f)),
+        "numbers_only": lambda f: f.min_size if bytecode.is_numbers(f, model.layouts(f)) else 0,
+        "plain": lambda f: bytecode.plain(f, model.layouts(f)),
+        "interpreter": lambda f: bytecode.interpreter(f, model.layouts(f)),
         "direct": direct.direct,
         "layouts": lambda f: len(model.layouts(f)) > 1,
         # tables

@@ -1,4 +1,4 @@
-"""The layout of a field as a program, which codec.c runs; runtime/c/src/mip/program.h has the steps.
+"""The layout of a field as a program, which codec.c or program.c runs; runtime/c/src/mip/program.h has the steps.
 
 How many bytes a part of a program has is known here; the place of a member in memory, only to the C compiler.
 """
@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from mipgen import model as m
 from mipgen.lower import extent, memory
 
-from .direct import direct
 from .literals import hexadecimal
 from .members import home
 from .names import member, record_name, type_name
@@ -85,16 +84,28 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
         steps.append(_optional(f))
     steps += _steps((p for p in f.always if not (f.optional and p.selector)), base)  # the selector is part of that step
     for group in f.groups:
-        steps += [_group(len(group.parameters)), *_steps(group.parameters, base)]
+        reserved = [Step("MIP_RESERVED", (), 1)] if any(p.reserved for p in group.parameters) else []
+        steps += [_group(len(group.parameters)), *reserved, *_steps(group.parameters, base)]
     return _source(steps, far)[0]
 
 
-def numbers(f: m.Field, layouts: Sequence[m.Field]) -> int:
-    """The bytes of a layout that is nothing but a few numbers, without texts, which end with a NUL; 0 for another."""
-    steps = _joined([*_steps(f.parameters, "")])
-    plain = all(isinstance(s, Numbers) and s.count <= _FEW for s in steps)
-    plain = plain and not (f.groups or _is_far(f)) and len(layouts) == 1
-    return f.max_size if plain and not any(a.text for a in direct(f)) else 0
+def is_numbers(f: m.Field, layouts: Sequence[m.Field]) -> bool:
+    """Is the layout nothing but a few numbers, so that it needs no interpreter?"""
+    plain = all(isinstance(s, Numbers) and s.count <= _FEW for s in _joined([*_steps(f.parameters, "")]))
+    return plain and not (f.groups or _is_far(f)) and len(layouts) == 1
+
+
+def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
+    """What runs the program of a field."""
+    if is_numbers(f, layouts):
+        return "NULL"
+    return "&mip_layout" if len(layouts) > 1 else "&mip_program"
+
+
+def plain(f: m.Field, layouts: Sequence[m.Field]) -> str:
+    """Is it only numbers, which fill the structure but for its end? A condition that the C compiler knows."""
+    filled = is_numbers(f, layouts) and not memory.has_gaps(f)
+    return f"sizeof(struct {record_name(f)}) >= 8" if filled else "false"
 
 
 def _is_far(f: m.Field) -> bool:

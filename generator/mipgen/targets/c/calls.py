@@ -10,7 +10,7 @@ from mipgen.lower.calls import replies
 from mipgen.lower.memory import members
 
 from .members import Constructor, argument, constructors, takes_enum
-from .names import argument_name, constant, field_name, short, type_name
+from .names import argument_name, constant, field_name, macro, member, short, type_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +20,28 @@ class Send:
     name: str
     response: m.Field | None
     doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Put:
+    """A number of the data of a command, or the elements of an array, and the value that it gets."""
+
+    scalar: m.Scalar
+    at: int
+    value: str
+    index: str = ""  # "[i].rate": of an element, what follows the value
+    count: str = ""  # of an array
+    most: int = 0  # elements that it may have; 0 if it always has as many
+    stride: int = 0  # bytes of an element
+
+
+@dataclass(frozen=True, slots=True)
+class Data:
+    """The data of a command, written without its structure."""
+
+    puts: tuple[Put, ...]
+    size: int
+    array: Put | None = None  # at the end: the one whose elements a caller counts
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +56,7 @@ class Call:
     given: tuple[m.Parameter, ...] = ()  # what the arguments are
     passed: tuple[str, ...] = ()  # what it hands to the constructor
     whole: bool = False  # does it take the structure?
+    data: Data | None = None  # None: it is encoded from the structure
 
     @property
     def arguments(self) -> tuple[str, ...]:
@@ -110,7 +133,59 @@ def _call(
     for p in asked:
         passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
     given = tuple(p for p in asked if p.name not in values)
-    return Call(name, f, response, [doc], way, given, tuple(passed))
+    return Call(name, f, response, [doc], way, given, tuple(passed), data=_data(f, function, asked, passed))
+
+
+def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...], passed: list[str]) -> Data | None:
+    """Plain numbers at fixed places, and at most one array at the end; None for anything else."""
+    if any(p.fills for p in asked):
+        return None
+    values = dict(zip((p.name for p in asked), passed, strict=True))
+    puts: list[Put] = []
+    at, array = 0, None
+    if function is not None:
+        puts.append(Put(m.SCALARS["u8"], 0, f"{macro('mip_function_selector')}_{macro(function.name)}"))
+        at = 1
+    for p in next(c for c in f.calls if c.function == function).required:
+        value = values.get(p.name, "")
+        if array is not None:
+            return None
+        if p.constant is not None:
+            puts += [Put(m.SCALARS["u8"], at + i, str(byte)) for i, byte in enumerate(p.octets)]
+            at += p.size
+        elif p.reserved is not None and p.kind == "scalar" and p.scalar.kind != "float":
+            puts.append(Put(p.scalar, at, str(p.reserved)))
+            at += p.size
+        elif value and p.kind in ("scalar", "counter"):
+            puts.append(Put(p.scalar, at, value))
+            at += p.size
+        elif value and p.kind == "array":
+            elements = _elements(p, at, value)
+            if not elements:
+                return None
+            puts += elements
+            if p.count is None:
+                array = elements[0]
+            else:
+                at += elements[0].stride * p.count
+        else:
+            return None
+    return Data(tuple(puts), at, array)
+
+
+def _elements(p: m.Parameter, at: int, value: str) -> list[Put]:
+    """What is written for each element of an array; nothing if that is not just numbers."""
+    parts = p.item.struct.parameters if p.item.struct else (p.item,)
+    if not all(q.kind in ("scalar", "counter") and q.reserved is None for q in parts):
+        return []
+    stride = sum(q.size for q in parts)
+    count, most = (str(p.count), 0) if p.count is not None else (argument_name(p.counter or ""), p.capacity)
+    puts = []
+    for q in parts:
+        index = f"[i].{member(q.name)}" if p.item.struct else "[i]"
+        puts.append(Put(q.scalar, at, value, index, count, most, stride))
+        at += q.size
+    return puts
 
 
 def _passed(p: m.Parameter) -> list[str]:
@@ -130,6 +205,7 @@ def _literal(p: m.Parameter, value: int) -> str:
 def identifiers(f: m.Field, model: m.Model) -> Iterator[str]:
     if f.role == m.COMMAND:
         yield f"{field_name(f)}_command"
+        yield f"{field_name(f)}_exchange"
         yield from (s.name for s in sends(f, model))
         yield from (c.name for c in calls(f, model))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import calls
+from mipgen.lower import calls, extent
 from mipgen.lower.memory import members
 
 from .names import argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
@@ -94,32 +94,41 @@ def takes_enum(p: m.Parameter) -> bool:
     return p.length is None and isinstance(p.element, m.Enum) and is_enum(p.element) and p.element.scalar.size == 1
 
 
-def holding(c: m.Condition) -> str:
-    """A condition on the structure `v` of a command; of a Boolean everything but 0 is true."""
-    if c.boolean:
-        return f"v->{member(c.parameter)} {'!=' if c.value else '=='} 0"
-    return f"v->{member(c.parameter)} == {c.value}"
+def holding(f: m.Field, c: m.Condition) -> list[str]:
+    """Tests of bytes of a command; of a Boolean everything but 0 is true."""
+    p = next(q for q in f.parameters if q.name == c.parameter)
+    before = [extent.size(q) for q in f.parameters[: f.parameters.index(p)]]
+    assert all(least == most for least, most in before), f"{f.full_name}.{p.name}: no fixed place"
+    at = sum(size for size, _ in before)
+    if c.boolean and c.value:
+        return [f"MIP_WHEN_SET({at})"]
+    return [f"MIP_WHEN({at + i}, {byte})" for i, byte in enumerate(c.value.to_bytes(p.size, "big"))]
 
 
 def silent(f: m.Field) -> str:
-    """When a command is not acknowledged, as a condition on its structure `v`; empty if it always is."""
-    selector = macro("mip_function_selector")
-    tests = [f"v->function == {selector}_{macro(x.name)}" for x in f.functions if not x.reply]
+    """When a command is not acknowledged, as a condition on its data; empty if it always is."""
+    ways = [[_function(x)] for x in f.functions if not x.reply]
     if f.silent_when:
-        tests.append(" && ".join(map(holding, f.silent_when)))
-    return " || ".join(f"({t})" if "&&" in t and len(tests) > 1 else t for t in tests)
+        ways.append([test for c in f.silent_when for test in holding(f, c)])
+    return _condition(ways)
 
 
 def responses(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]]]:
-    """The layouts of each response of a command, with the condition on its structure `v` under which it is sent."""
+    """The layouts of each response of a command, with the condition on its data under which it is sent."""
     layouts = []
     for reply in model.replies(f):
-        functions = [f"v->function == {macro('mip_function_selector')}_{macro(x.name)}" for x in reply.functions]
-        tests = [" || ".join(functions)] if functions else []
-        tests += map(holding, reply.when)
-        condition = " && ".join(f"({t})" if "||" in t and len(tests) > 1 else t for t in tests)
-        layouts.append((condition, reply.layouts))
+        tests = [test for c in reply.when for test in holding(f, c)]
+        layouts.append((_condition([[_function(x), *tests] for x in reply.functions] or [tests]), reply.layouts))
     return layouts
+
+
+def _function(x: m.Function) -> str:
+    return f"MIP_WHEN(0, {macro('mip_function_selector')}_{macro(x.name)})"
+
+
+def _condition(ways: list[list[str]]) -> str:
+    """The bytes of a condition: any of these ways, each of tests that must all hold."""
+    return ", MIP_WHEN_OR, ".join(", ".join(tests) for tests in ways)
 
 
 # --------------------------------------------------------------------------- bits

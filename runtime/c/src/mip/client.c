@@ -8,63 +8,91 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** The first response that a command with these values requests; NULL if it requests none. */
-static const struct mip_response *wanted(const struct mip_command *command, const void *value) {
-    const struct mip_response *r = command->responses;
-    while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(value)) {
-        r++;
+/** Does the data of a command fulfil a condition? */
+static bool holds(const uint8_t *condition, const uint8_t *data, size_t size) {
+    bool all = true;
+    for (; *condition != MIP_WHEN_END; condition += 3) {
+        const uint8_t byte = condition[1] < size ? data[condition[1]] : 0;
+        if (*condition == 3) {
+            if (all) {
+                break;
+            }
+            all = true;
+        } else if (*condition == 2 ? byte == 0 : byte != condition[2]) {
+            all = false;
+        }
     }
-    return r != NULL && r->codec != NULL ? r : NULL;
+    return all;
 }
 
-/** Those that it requests under the same condition: the layouts that the response may have. */
+/** The next response under the same condition: another layout. */
 static const struct mip_response *another(const struct mip_response *r) {
     const struct mip_response *next = r + 1;
-    while (next->codec != NULL && next->asked != r->asked) {
-        next++;
+    return next->descriptor != 0 && next->asked == r->asked ? next : NULL;
+}
+
+void mip_client_wait(struct mip_client *client, struct mip_request *request,
+                     const struct mip_builder *packet, const struct mip_exchange *exchange,
+                     size_t size, uint32_t now) {
+    const uint8_t *data = packet->buffer + packet->length - size;
+    const struct mip_response *r = exchange->responses;
+    uint32_t timeout = exchange->timeout > client->timeout ? exchange->timeout : client->timeout;
+    struct mip_request **end = &client->waiting;
+    if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
+        timeout = MIP_MAX_TIMEOUT;
     }
-    return next->codec != NULL ? next : NULL;
+    while (r != NULL && r->descriptor != 0 && r->asked != NULL && !holds(r->asked, data, size)) {
+        r++;
+    }
+    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
+    memset(request, 0, sizeof(*request));
+    request->descriptor_set = packet->buffer[2];
+    request->exchange = exchange;
+    request->asked = r != NULL && r->descriptor != 0 ? r : NULL;
+    request->deadline = now + timeout;
+    if (exchange->silent != NULL && holds(exchange->silent, data, size)) {
+        request->state = MIP_REQUEST_SILENT;
+        return;
+    }
+    while (*end != NULL) {
+        end = &(*end)->next;
+    }
+    *end = request;
+}
+
+mip_error mip_command_encode(const struct mip_command *command, const void *value,
+                             struct mip_builder *packet) {
+    const size_t before = packet->length;
+    mip_error error = mip_encode(command->codec, value, packet);
+    if (error == MIP_OK && command->exchange->selects && packet->buffer[before + 2] == 0) {
+        packet->length = before;
+        packet->buffer[3] = (uint8_t)(before - MIP_HEADER_SIZE);
+        error = mip_builder_note(packet, MIP_ERROR_MISSING);
+    }
+    return error;
 }
 
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_command *command,
                          const void *value, uint32_t now) {
-    const mip_error error = mip_encode(command->codec, value, packet);
-    uint32_t timeout = command->timeout > client->timeout ? command->timeout : client->timeout;
-    if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
-        timeout = MIP_MAX_TIMEOUT;
+    const size_t start = packet->length + 2;
+    const mip_error error = mip_command_encode(command, value, packet);
+    if (error == MIP_OK) {
+        mip_client_wait(client, request, packet, command->exchange, packet->length - start, now);
+    } else {
+        mip_client_cancel(client, request);
+        memset(request, 0, sizeof(*request));
+        request->state = MIP_REQUEST_CANCELLED;
     }
-    mip_client_cancel(client, request);     /* it could still wait for an earlier answer */
-    request->state = MIP_REQUEST_CANCELLED; /* so that it does not wait if there is an error */
-    request->code = 0;
-    request->responded = false;
-    request->error = MIP_OK;
-    request->command = command;
-    request->asked = error == MIP_OK ? wanted(command, value) : NULL;
-    request->codec = request->asked != NULL ? request->asked->codec : NULL;
-    request->response = NULL;
-    request->deadline = now + timeout;
-    request->next = NULL;
-    if (error != MIP_OK) {
-        return error;
-    }
-    if (command->silent != NULL && command->silent(value)) {
-        request->state = MIP_REQUEST_SILENT;
-        return MIP_OK;
-    }
-    request->state = MIP_REQUEST_WAITING;
-    struct mip_request **end = &client->waiting;
-    while (*end != NULL) {
-        end = &(*end)->next;
-    }
-    *end = request;
-    return MIP_OK;
+    return error;
 }
 
 bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
     request->response = NULL;
     for (const struct mip_response *r = request->asked; r != NULL; r = another(r)) {
-        if (r->codec == codec) {
+        if (codec != NULL && r->descriptor == codec->descriptor &&
+            codec->descriptor_set == request->descriptor_set &&
+            (r->layout == NULL || r->layout == codec)) {
             request->codec = codec;
             request->response = response;
             return true;
@@ -85,117 +113,100 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** Removes a request from the waiting list. */
-static void leave(struct mip_client *client, struct mip_request *request, uint8_t state) {
-    for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
-        if (*at == request) {
-            *at = request->next;
-            request->next = NULL;
-            request->state = state;
-            return;
-        }
-    }
-}
-
 /** Is this field a response to the command, for any values of the command? */
-static bool may_answer(const struct mip_command *command, const struct mip_field *field) {
-    for (const struct mip_response *r = command->responses; r != NULL && r->codec != NULL; r++) {
-        if (r->codec->descriptor == field->descriptor) {
-            return true;
-        }
+static bool may_answer(const struct mip_exchange *exchange, uint8_t descriptor) {
+    const struct mip_response *r = exchange->responses;
+    while (r != NULL && r->descriptor != 0 && r->descriptor != descriptor) {
+        r++;
     }
-    return false;
+    return r != NULL && r->descriptor != 0;
 }
 
 /** Decodes the response that a request expects. False if the field is not that response. */
 static bool respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
-    while (r != NULL &&
-           (r->codec->descriptor != field->descriptor || !mip_codec_matches(r->codec, field))) {
+    while (r != NULL && (r->descriptor != field->descriptor ||
+                         (r->layout != NULL && !mip_codec_matches(r->layout, field)))) {
         r = another(r);
     }
     if (r == NULL) {
         return false;
     }
-    if (request->response == NULL) {
-        request->codec = r->codec;
-        return true;
+    if (request->response != NULL) {
+        const mip_error error = mip_decode(request->codec, request->response, field, NULL);
+        if (error == MIP_ERROR_CONSTANT) {
+            return false; /* it answers something else */
+        }
+        request->error = (uint8_t)error;
+        request->responded = error == MIP_OK;
     }
-    mip_error error = MIP_ERROR_LAYOUT;
-    if (r->codec == request->codec) {
-        error = mip_decode(r->codec, request->response, field, NULL);
-    } else {
-        memset(request->response, 0, request->codec->size);
+    if (r->layout != NULL) {
+        request->codec = r->layout;
     }
-    if (error == MIP_ERROR_CONSTANT) {
-        return false; /* it answers something else */
-    }
-    request->codec = r->codec;
-    request->error = (uint8_t)error;
-    request->responded = error == MIP_OK;
     return true;
 }
 
-/**
- * Finds the request that an acknowledge field and the field after it (NULL if there is none)
- * answer: the oldest one of that command. A response never answers a request that does not expect
- * it, because it may be the late answer to another one; an acknowledge without a response first
- * answers requests that expect none. `state` becomes the new state of the request.
- */
-static struct mip_request *find(const struct mip_client *client, uint8_t set,
-                                const struct mip_protocol_acknowledge *acknowledge,
-                                const struct mip_field *behind, uint8_t *state) {
-    struct mip_request *left_alone = NULL;
-    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        if (r->command->codec->descriptor != acknowledge->command ||
-            !mip_codec_belongs(r->command->codec, set)) {
-            continue;
-        }
-        if (acknowledge->code != 0) {
-            *state = MIP_REQUEST_REFUSED;
-            return r;
-        }
-        const bool response = behind != NULL && may_answer(r->command, behind);
-        if (r->codec == NULL ? !response : response && respond(r, behind)) {
-            *state = r->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
-            return r;
-        }
-        if (!response && left_alone == NULL) {
-            left_alone = r;
-        }
-    }
-    *state = MIP_REQUEST_MISSING_RESPONSE;
-    return left_alone;
+/** Removes a request from the waiting list. */
+static void leave(struct mip_request **at, uint8_t state) {
+    struct mip_request *request = *at;
+    *at = request->next;
+    request->next = NULL;
+    request->state = state;
 }
 
+/*
+ * An acknowledge field and the field after it (`behind`) answer the oldest request of that command.
+ * A response never answers a request that does not expect it, because it may be the late answer to
+ * another one; an acknowledge without a response first answers requests that expect none.
+ */
 bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                      struct mip_request **answered, struct mip_field *field) {
-    struct mip_protocol_acknowledge acknowledge;
+    struct mip_request **found = NULL;
+    struct mip_request *r;
     struct mip_field behind;
-    uint8_t state;
+    uint8_t state = MIP_REQUEST_MISSING_RESPONSE;
     *answered = NULL;
     if (!mip_walk_next(walk, field)) {
         return false;
     }
-    if (field->descriptor != MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR ||
-        mip_protocol_acknowledge_decode(&acknowledge, field) != MIP_OK) {
+    if (field->descriptor != MIP_ACKNOWLEDGE_DESCRIPTOR || field->size < 2) {
         return true;
     }
     struct mip_walk ahead = *walk;
-    const bool more = mip_walk_next(&ahead, &behind);
-    struct mip_request *request =
-        find(client, field->descriptor_set, &acknowledge, more ? &behind : NULL, &state);
-    if (request == NULL) {
+    if (!mip_walk_next(&ahead, &behind)) {
+        behind.descriptor = 0;
+    }
+    for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
+        if (r->exchange->descriptor != field->data[0] ||
+            r->descriptor_set != field->descriptor_set) {
+            continue;
+        }
+        const bool response = may_answer(r->exchange, behind.descriptor);
+        if (field->data[1] != 0) {
+            state = MIP_REQUEST_REFUSED;
+        } else if (r->asked == NULL ? !response : response && respond(r, &behind)) {
+            state = r->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
+        } else {
+            if (!response && found == NULL) {
+                found = at;
+            }
+            continue;
+        }
+        found = at;
+        break;
+    }
+    if (found == NULL) {
         return true;
     }
-    leave(client, request, state);
-    request->code = acknowledge.code;
-    if (request->codec != NULL &&
+    r = *found;
+    leave(found, state);
+    r->code = field->data[1];
+    if (r->asked != NULL &&
         (state == MIP_REQUEST_ACKNOWLEDGED || state == MIP_REQUEST_UNDECODABLE)) {
         *walk = ahead; /* after the response */
         *field = behind;
     }
-    *answered = request;
+    *answered = r;
     return true;
 }
 
@@ -227,16 +238,21 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
                                 : mip_parser_next(parser, &nothing, &none, packet))) {
         return true;
     }
-    for (struct mip_request *r = client->waiting; r != NULL;) {
-        struct mip_request *next = r->next;
-        if (is_late(r, now)) {
-            leave(client, r, MIP_REQUEST_TIMED_OUT);
+    for (struct mip_request **at = &client->waiting; *at != NULL;) {
+        if (is_late(*at, now)) {
+            leave(at, MIP_REQUEST_TIMED_OUT);
+        } else {
+            at = &(*at)->next;
         }
-        r = next;
     }
     return false;
 }
 
 void mip_client_cancel(struct mip_client *client, struct mip_request *request) {
-    leave(client, request, MIP_REQUEST_CANCELLED);
+    for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
+        if (*at == request) {
+            leave(at, MIP_REQUEST_CANCELLED);
+            break;
+        }
+    }
 }

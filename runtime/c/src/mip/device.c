@@ -24,11 +24,14 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     mip_parser_init(&device->parser);
 }
 
+const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, false, NULL, NULL};
+
 /** Is a handler for this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
     return (handler->descriptor_set == MIP_ANY_SET ||
             handler->descriptor_set == field->descriptor_set) &&
-           (handler->type == MIP_ANY_FIELD || mip_field_is(field, handler->type));
+           (handler->type == MIP_ANY_FIELD ||
+            (handler->type != NULL && mip_field_is(field, handler->type)));
 }
 
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */
@@ -85,7 +88,7 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
     bool came;
-    return device->packet != NULL || update(device, bytes, sizeof(bytes), &came);
+    return device->packet == NULL && update(device, bytes, sizeof(bytes), &came);
 }
 
 /** Reads and handles what has arrived; not for ever, because more may be arriving. */
@@ -105,31 +108,12 @@ static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
     }
 }
 
-static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, uint8_t error) {
+static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, mip_error error) {
     struct mip_result result;
     result.outcome = outcome;
     result.code = code;
-    result.error = error;
+    result.error = (uint8_t)error;
     return result;
-}
-
-static enum mip_outcome outcome_of(const struct mip_request *request) {
-    switch (request->state) {
-    case MIP_REQUEST_ACKNOWLEDGED:
-        return MIP_ACKNOWLEDGED;
-    case MIP_REQUEST_REFUSED:
-        return MIP_REFUSED;
-    case MIP_REQUEST_TIMED_OUT:
-        return MIP_TIMED_OUT;
-    case MIP_REQUEST_SILENT:
-        return MIP_SENT;
-    case MIP_REQUEST_MISSING_RESPONSE:
-        return MIP_MISSING_RESPONSE;
-    case MIP_REQUEST_UNDECODABLE:
-        return MIP_UNDECODABLE;
-    default:
-        return MIP_CLOSED;
-    }
 }
 
 /** The answer to the command may still come. */
@@ -138,32 +122,42 @@ static void owe(struct mip_device *device) {
     device->owed = true;
 }
 
-struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
-                                  const void *value, const struct mip_codec *codec,
-                                  void *response) {
-    const struct mip_port *port = &device->port;
-    uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what is received */
-    struct mip_builder builder;
-    struct mip_request request;
+/** Begins a packet in these bytes, after what has arrived is read if an old answer may be in it. */
+static bool begin(struct mip_device *device, struct mip_builder *builder, uint8_t *bytes,
+                  const struct mip_exchange *exchange) {
     if (device->packet != NULL) {
-        if (response != NULL) {
-            memset(response, 0, codec->size);
-        }
-        return result_of(MIP_BUSY, 0, MIP_OK);
+        return false;
     }
     if (device->owed) {
-        device->owed = (uint32_t)(port->now(port->user) - device->missed) < LATE;
+        device->owed = (uint32_t)(device->port.now(device->port.user) - device->missed) < LATE;
         if (device->owed) {
-            catch_up(device, bytes, sizeof(bytes));
+            catch_up(device, bytes, MIP_MAX_PACKET);
         }
     }
-    mip_builder_start(&builder, bytes, sizeof(bytes), command->codec->descriptor_set);
-    const mip_error error = mip_client_send(&device->client, &request, &builder, command, value,
-                                            codec, response, port->now(port->user));
-    if (error != MIP_OK) {
-        return result_of(MIP_NOT_SENT, 0, (uint8_t)error);
+    return mip_builder_start(builder, bytes, MIP_MAX_PACKET, exchange->descriptor_set) == MIP_OK;
+}
+
+/** Sends the packet of a command, unless there is an error, and waits for its answer. */
+static struct mip_result finish(struct mip_device *device, struct mip_builder *builder,
+                                const struct mip_exchange *exchange, mip_error error,
+                                const struct mip_codec *codec, void *response) {
+    const struct mip_port *port = &device->port;
+    struct mip_request request;
+    if (response != NULL) {
+        memset(response, 0, codec->size);
     }
-    const struct mip_packet packet = mip_builder_finish(&builder);
+    if (device->packet != NULL) {
+        return result_of(MIP_BUSY, 0, MIP_OK);
+    }
+    if (error != MIP_OK) {
+        return result_of(MIP_NOT_SENT, 0, error);
+    }
+    mip_client_wait(&device->client, &request, builder, exchange,
+                    builder->length - MIP_HEADER_SIZE - 2, port->now(port->user));
+    if (response != NULL) {
+        mip_client_expect(&request, codec, response);
+    }
+    const struct mip_packet packet = mip_builder_finish(builder);
     if (!port->write(port->user, packet.bytes, packet.size)) {
         mip_client_cancel(&device->client, &request);
         owe(device); /* a part of it may have been sent */
@@ -171,12 +165,37 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     }
     while (request.state == MIP_REQUEST_WAITING) {
         bool came;
-        if (!update(device, bytes, sizeof(bytes), &came)) {
+        if (!update(device, builder->buffer, MIP_MAX_PACKET, &came)) { /* the packet is gone */
             mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
         }
     }
     if (request.state == MIP_REQUEST_TIMED_OUT || request.state == MIP_REQUEST_CANCELLED) {
         owe(device);
     }
-    return result_of(outcome_of(&request), request.code, request.error);
+    /* The states of a request are its outcomes. */
+    return result_of((enum mip_outcome)request.state, request.code, (mip_error)request.error);
+}
+
+struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
+                                  const void *value, const struct mip_codec *codec,
+                                  void *response) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder builder;
+    mip_error error = MIP_OK;
+    if (begin(device, &builder, bytes, command->exchange)) {
+        error = mip_command_encode(command, value, &builder);
+    }
+    return finish(device, &builder, command->exchange, error, codec, response);
+}
+
+struct mip_result mip_device_send(struct mip_device *device, const struct mip_exchange *exchange,
+                                  const uint8_t *data, size_t size, const struct mip_codec *codec,
+                                  void *response) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder builder;
+    mip_error error = MIP_ERROR_COUNT;
+    if (size <= MIP_MAX_FIELD_DATA && begin(device, &builder, bytes, exchange)) {
+        error = mip_builder_add(&builder, exchange->descriptor, data, size);
+    }
+    return finish(device, &builder, exchange, error, codec, response);
 }

@@ -3,7 +3,6 @@ set(MIP_VERSION 0.1.0)
 get_filename_component(MIP_FOLDER ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/3d.c
-  ${MIP_FOLDER}/src/mip/checksum.c
   ${MIP_FOLDER}/src/mip/client.c
   ${MIP_FOLDER}/src/mip/codec.c
   ${MIP_FOLDER}/src/mip/core.c

@@ -54,12 +54,12 @@ extern MIP_API const struct mip_codec mip_3d_default_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_3d_default_codec, value, field, NULL);
+    return mip_decode_only(&mip_3d_default_codec, 0x10, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_3d_default_codec, value, builder);
 }
 
@@ -82,8 +82,8 @@ static inline mip_error mip_3d_default_decode_inline(struct mip_3d_default *valu
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default *value,
+                                                                 struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 5, &data);
     if (error != MIP_OK) {

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3d_default_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_3d_default_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Default. */
 static inline mip_error mip_send_3d_default(struct mip_client *client, struct mip_request *request,
@@ -39,10 +41,13 @@ static inline mip_error mip_send_3d_default(struct mip_client *client, struct mi
 static inline struct mip_result mip_call_3d_default(struct mip_device *device, uint8_t class_,
                                                     uint8_t type, uint8_t register_, uint8_t self,
                                                     uint8_t present_) {
-    struct mip_3d_default command;
-    return mip_device_call(device, &mip_3d_default_command,
-                           mip_3d_default_make(&command, class_, type, register_, self, present_),
-                           NULL, NULL);
+    uint8_t data[5];
+    mip_put_8(data, (uint8_t)class_);
+    mip_put_8(data + 1, (uint8_t)type);
+    mip_put_8(data + 2, (uint8_t)register_);
+    mip_put_8(data + 3, (uint8_t)self);
+    mip_put_8(data + 4, (uint8_t)present_);
+    return mip_device_send(device, &mip_3d_default_exchange, data, 5, NULL, NULL);
 }
 
 /**

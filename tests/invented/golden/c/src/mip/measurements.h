@@ -68,12 +68,12 @@ extern MIP_API const struct mip_codec mip_measurements_accel_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_accel_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_accel_encode(
+    const struct mip_measurements_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_accel_codec, value, builder);
 }
 
@@ -98,7 +98,7 @@ static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurem
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_accel_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_accel_encode_inline(
     const struct mip_measurements_accel *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -164,11 +164,11 @@ extern MIP_API const struct mip_codec mip_measurements_numbers_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_numbers_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_numbers_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_numbers_encode(
+MIP_CHECKED static inline mip_error mip_measurements_numbers_encode(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_numbers_codec, value, builder);
 }
@@ -201,7 +201,7 @@ static inline mip_error mip_measurements_numbers_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_numbers_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_numbers_encode_inline(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -262,11 +262,11 @@ extern MIP_API const struct mip_codec mip_measurements_strings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_strings_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_strings_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_strings_encode(
+MIP_CHECKED static inline mip_error mip_measurements_strings_encode(
     const struct mip_measurements_strings *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_strings_codec, value, builder);
 }
@@ -301,12 +301,12 @@ extern MIP_API const struct mip_codec mip_measurements_health_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_health_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_health_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_health_encode(
+    const struct mip_measurements_health *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_health_codec, value, builder);
 }
 
@@ -328,7 +328,7 @@ static inline mip_error mip_measurements_health_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_health_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_health_encode_inline(
     const struct mip_measurements_health *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -380,12 +380,12 @@ extern MIP_API const struct mip_codec mip_measurements_arrays_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_arrays_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_arrays_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_arrays_encode(
+    const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_arrays_codec, value, builder);
 }
 
@@ -425,7 +425,7 @@ static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_arrays_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_arrays_encode_inline(
     const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -498,11 +498,11 @@ extern MIP_API const struct mip_codec mip_measurements_growing_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_measurements_growing_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_growing_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_growing_encode(
+MIP_CHECKED static inline mip_error mip_measurements_growing_encode(
     const struct mip_measurements_growing *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_growing_codec, value, builder);
 }
@@ -547,12 +547,12 @@ extern MIP_API const struct mip_codec mip_measurements_radio_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_radio_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_radio_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_radio_encode(
+    const struct mip_measurements_radio *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_radio_codec, value, builder);
 }
 
@@ -579,7 +579,7 @@ static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurem
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_radio_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_radio_encode_inline(
     const struct mip_measurements_radio *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);
@@ -626,12 +626,12 @@ extern MIP_API const struct mip_codec mip_measurements_own_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_own_decode(struct mip_measurements_own *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_measurements_own_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_own_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_own_encode(const struct mip_measurements_own *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_measurements_own_encode(const struct mip_measurements_own *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_own_codec, value, builder);
 }
 
@@ -650,8 +650,8 @@ static inline mip_error mip_measurements_own_decode_inline(struct mip_measuremen
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_own_encode_inline(const struct mip_measurements_own *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_own_encode_inline(
+    const struct mip_measurements_own *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x81, 0x07, 1, &data);
     if (error != MIP_OK) {
@@ -692,12 +692,12 @@ extern MIP_API const struct mip_codec mip_measurements_cloud_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_measurements_cloud_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_cloud_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_cloud_encode(
+    const struct mip_measurements_cloud *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_cloud_codec, value, builder);
 }
 
@@ -745,12 +745,12 @@ extern MIP_API const struct mip_codec mip_measurements_gust_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_measurements_gust_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_gust_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_gust_encode(
+    const struct mip_measurements_gust *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_gust_codec, value, builder);
 }
 
@@ -788,12 +788,12 @@ extern MIP_API const struct mip_codec mip_measurements_breeze_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_measurements_breeze_codec, value, field, NULL);
+    return mip_decode_only(&mip_measurements_breeze_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_measurements_breeze_encode(
+    const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_breeze_codec, value, builder);
 }
 
@@ -819,7 +819,7 @@ static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measure
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_measurements_breeze_encode_inline(
+MIP_CHECKED static inline mip_error mip_measurements_breeze_encode_inline(
     const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     uint8_t *data;
     const uint8_t set = mip_builder_set(builder);

@@ -8,5 +8,12 @@ static const uint8_t program_timestamp[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_shared_timestamp_codec = {
-    0xFF, 0xD3, MIP_DATA, 10, sizeof(struct mip_shared_timestamp), 0, program_timestamp};
+const struct mip_codec mip_shared_timestamp_codec = {0xFF,
+                                                     0xD3,
+                                                     MIP_DATA,
+                                                     10,
+                                                     sizeof(struct mip_shared_timestamp),
+                                                     0,
+                                                     sizeof(struct mip_shared_timestamp) >= 8,
+                                                     program_timestamp,
+                                                     NULL};

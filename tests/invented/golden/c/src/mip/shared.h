@@ -48,12 +48,12 @@ extern MIP_API const struct mip_codec mip_shared_timestamp_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_shared_timestamp_codec, value, field, NULL);
+    return mip_decode_only(&mip_shared_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_shared_timestamp_encode(const struct mip_shared_timestamp *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_shared_timestamp_encode(const struct mip_shared_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_timestamp_codec, value, builder);
 }
 
@@ -73,8 +73,8 @@ static inline mip_error mip_shared_timestamp_decode_inline(struct mip_shared_tim
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_shared_timestamp_encode_inline(const struct mip_shared_timestamp *value,
-                                                           struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_shared_timestamp_encode_inline(
+    const struct mip_shared_timestamp *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 10, &data);
     if (error != MIP_OK) {

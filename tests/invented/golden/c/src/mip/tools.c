@@ -8,9 +8,11 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, false, program_ping, NULL};
 
-const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, NULL, NULL, 0};
+const struct mip_exchange mip_tools_ping_exchange = {0x01, 0x01, 0, false, NULL, NULL};
+
+const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, &mip_tools_ping_exchange};
 
 static const uint8_t program_settings[] = {
     MIP_REQUIRED(6, 3, 2, 1, 1, 1, 3),
@@ -23,30 +25,27 @@ static const uint8_t program_settings[] = {
     MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_tools_settings, limit)),
     MIP_GROUP(1),
+    MIP_RESERVED,
     MIP_8_BITS(1, MIP_AT(struct mip_tools_settings, reserved)),
     MIP_END,
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_tools_settings), 0, program_settings};
+    0x01, 0x02,  MIP_COMMAND,      0,           sizeof(struct mip_tools_settings),
+    0,    false, program_settings, &mip_program};
 
-static bool silent_settings(const void *value) {
-    const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_settings_1(const void *value) {
-    const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t silent_settings[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_settings_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_settings[] = {
-    {&mip_tools_settings_response_codec, asked_settings_1},
-    {NULL, NULL},
+    {asked_settings_1, NULL, 0x82},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_settings_command = {&mip_tools_settings_codec, silent_settings,
-                                                       responses_settings, 0};
+const struct mip_exchange mip_tools_settings_exchange = {
+    0x01, 0x02, 0, true, silent_settings, responses_settings};
+
+const struct mip_command mip_tools_settings_command = {&mip_tools_settings_codec,
+                                                       &mip_tools_settings_exchange};
 
 static const uint8_t program_settings_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_settings_response, port)),
@@ -63,7 +62,9 @@ const struct mip_codec mip_tools_settings_response_codec = {
     9,
     sizeof(struct mip_tools_settings_response),
     0,
-    program_settings_response};
+    false,
+    program_settings_response,
+    NULL};
 
 static const uint8_t program_set_time[] = {
     MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
@@ -75,31 +76,25 @@ static const uint8_t program_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_tools_set_time), 0, program_set_time};
+    0x01, 0x03,  MIP_COMMAND,      0,           sizeof(struct mip_tools_set_time),
+    0,    false, program_set_time, &mip_program};
 
-static bool silent_set_time(const void *value) {
-    const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_set_time_1(const void *value) {
-    const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 1;
-}
-
-static bool asked_set_time_2(const void *value) {
-    const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 2;
-}
-
+static const uint8_t silent_set_time[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_APPLY), MIP_WHEN_END};
+static const uint8_t asked_set_time_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 1),
+                                           MIP_WHEN_END};
+static const uint8_t asked_set_time_2[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN(1, 2),
+                                           MIP_WHEN_END};
 static const struct mip_response responses_set_time[] = {
-    {&mip_tools_set_time_fast_response_codec, asked_set_time_1},
-    {&mip_tools_set_time_slow_response_codec, asked_set_time_2},
-    {NULL, NULL},
+    {asked_set_time_1, NULL, 0x83},
+    {asked_set_time_2, NULL, 0x84},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_set_time_command = {&mip_tools_set_time_codec, silent_set_time,
-                                                       responses_set_time, 0};
+const struct mip_exchange mip_tools_set_time_exchange = {
+    0x01, 0x03, 0, true, silent_set_time, responses_set_time};
+
+const struct mip_command mip_tools_set_time_command = {&mip_tools_set_time_codec,
+                                                       &mip_tools_set_time_exchange};
 
 static const uint8_t program_set_time_fast_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_set_time_fast_response, value)),
@@ -113,7 +108,9 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_fast_response),
     0,
-    program_set_time_fast_response};
+    sizeof(struct mip_tools_set_time_fast_response) >= 8,
+    program_set_time_fast_response,
+    NULL};
 
 static const uint8_t program_set_time_slow_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_set_time_slow_response, value)),
@@ -127,7 +124,9 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     4,
     sizeof(struct mip_tools_set_time_slow_response),
     0,
-    program_set_time_slow_response};
+    sizeof(struct mip_tools_set_time_slow_response) >= 8,
+    program_set_time_slow_response,
+    NULL};
 
 static const uint8_t program_status[] = {
     MIP_CONSTANT(2, 0x12, 0x67),
@@ -136,28 +135,24 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01, 0x04, MIP_COMMAND, 0, sizeof(struct mip_tools_status), 0, program_status};
+    0x01, 0x04,  MIP_COMMAND,    0,           sizeof(struct mip_tools_status),
+    0,    false, program_status, &mip_program};
 
-static bool asked_status_1(const void *value) {
-    const struct mip_tools_status *v = (const struct mip_tools_status *)value;
-    return v->selector == 1;
-}
-
-static bool asked_status_2(const void *value) {
-    const struct mip_tools_status *v = (const struct mip_tools_status *)value;
-    return v->selector == 2;
-}
-
+static const uint8_t asked_status_1[] = {MIP_WHEN(2, 1), MIP_WHEN_END};
+static const uint8_t asked_status_2[] = {MIP_WHEN(2, 2), MIP_WHEN_END};
 static const struct mip_response responses_status[] = {
-    {&mip_tools_status_short_codec, asked_status_1},
-    {&mip_tools_status_long_codec, asked_status_2},
-    {&mip_tools_status_old_codec, asked_status_2},
-    {&mip_tools_full_codec, asked_status_2},
-    {NULL, NULL},
+    {asked_status_1, &mip_tools_status_short_codec, 0x90},
+    {asked_status_2, &mip_tools_status_long_codec, 0x90},
+    {asked_status_2, &mip_tools_status_old_codec, 0x90},
+    {asked_status_2, &mip_tools_full_codec, 0x90},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_status_command = {&mip_tools_status_codec, NULL,
-                                                     responses_status, 2500};
+const struct mip_exchange mip_tools_status_exchange = {0x01,  0x04, 2500,
+                                                       false, NULL, responses_status};
+
+const struct mip_command mip_tools_status_command = {&mip_tools_status_codec,
+                                                     &mip_tools_status_exchange};
 
 static const uint8_t program_status_short[] = {
     MIP_LAYOUT(0, 253, 3, 0, 0x12, 1, 0x67, 2, 0x01),
@@ -168,7 +163,8 @@ static const uint8_t program_status_short[] = {
 };
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_short), 0, program_status_short};
+    0x01, 0x90,  MIP_RESPONSE,         0,          sizeof(struct mip_tools_status_short),
+    0,    false, program_status_short, &mip_layout};
 
 static const uint8_t program_status_long[] = {
     MIP_LAYOUT(15, 15, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -180,7 +176,8 @@ static const uint8_t program_status_long[] = {
 };
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_long), 0, program_status_long};
+    0x01, 0x90,  MIP_RESPONSE,        0,          sizeof(struct mip_tools_status_long),
+    0,    false, program_status_long, &mip_layout};
 
 static const uint8_t program_status_old[] = {
     MIP_LAYOUT(0, 14, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -191,7 +188,8 @@ static const uint8_t program_status_old[] = {
 };
 
 const struct mip_codec mip_tools_status_old_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_old), 0, program_status_old};
+    0x01, 0x90,  MIP_RESPONSE,       0,          sizeof(struct mip_tools_status_old),
+    0,    false, program_status_old, &mip_layout};
 
 static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -204,7 +202,8 @@ static const uint8_t program_full[] = {
 };
 
 const struct mip_codec mip_tools_full_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), 0, program_full};
+    0x01, 0x90,  MIP_RESPONSE, 0,          sizeof(struct mip_tools_full),
+    0,    false, program_full, &mip_layout};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(1, 1),
@@ -214,43 +213,59 @@ static const uint8_t program_bias[] = {
 };
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), 0, program_bias};
+    0x01, 0x05,  MIP_COMMAND,  0,           sizeof(struct mip_tools_bias),
+    0,    false, program_bias, &mip_program};
 
-static bool asked_bias_1(const void *value) {
-    const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_bias_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_bias[] = {
-    {&mip_tools_bias_vector_codec, asked_bias_1},
-    {NULL, NULL},
+    {asked_bias_1, NULL, 0x9B},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, NULL, responses_bias, 0};
+const struct mip_exchange mip_tools_bias_exchange = {0x01, 0x05, 0, true, NULL, responses_bias};
+
+const struct mip_command mip_tools_bias_command = {&mip_tools_bias_codec, &mip_tools_bias_exchange};
 
 static const uint8_t program_bias_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_tools_bias_vector, bias)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01, 0x9B, MIP_RESPONSE, 12, sizeof(struct mip_tools_bias_vector), 0, program_bias_vector};
+const struct mip_codec mip_tools_bias_vector_codec = {0x01,
+                                                      0x9B,
+                                                      MIP_RESPONSE,
+                                                      12,
+                                                      sizeof(struct mip_tools_bias_vector),
+                                                      0,
+                                                      sizeof(struct mip_tools_bias_vector) >= 8,
+                                                      program_bias_vector,
+                                                      NULL};
 
 static const uint8_t program_capture_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_tools_capture_bias, time)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01, 0x06, MIP_COMMAND, 2, sizeof(struct mip_tools_capture_bias), 0, program_capture_bias};
+const struct mip_codec mip_tools_capture_bias_codec = {0x01,
+                                                       0x06,
+                                                       MIP_COMMAND,
+                                                       2,
+                                                       sizeof(struct mip_tools_capture_bias),
+                                                       0,
+                                                       sizeof(struct mip_tools_capture_bias) >= 8,
+                                                       program_capture_bias,
+                                                       NULL};
 
 static const struct mip_response responses_capture_bias[] = {
-    {&mip_tools_bias_vector_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x9B},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_capture_bias_command = {&mip_tools_capture_bias_codec, NULL,
-                                                           responses_capture_bias, 0};
+const struct mip_exchange mip_tools_capture_bias_exchange = {0x01,  0x06, 0,
+                                                             false, NULL, responses_capture_bias};
+
+const struct mip_command mip_tools_capture_bias_command = {&mip_tools_capture_bias_codec,
+                                                           &mip_tools_capture_bias_exchange};
 
 static const uint8_t program_formats[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_tools_formats, suppress_ack)),
@@ -265,15 +280,15 @@ static const uint8_t program_formats[] = {
 };
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01, 0x07, MIP_COMMAND, 0, sizeof(struct mip_tools_formats), 0, program_formats};
+    0x01, 0x07,  MIP_COMMAND,     0,           sizeof(struct mip_tools_formats),
+    0,    false, program_formats, &mip_program};
 
-static bool silent_formats(const void *value) {
-    const struct mip_tools_formats *v = (const struct mip_tools_formats *)value;
-    return v->suppress_ack != 0;
-}
+static const uint8_t silent_formats[] = {MIP_WHEN_SET(0), MIP_WHEN_END};
 
-const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec, silent_formats,
-                                                      NULL, 0};
+const struct mip_exchange mip_tools_formats_exchange = {0x01, 0x07, 0, false, silent_formats, NULL};
+
+const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec,
+                                                      &mip_tools_formats_exchange};
 
 static const uint8_t program_choice[] = {
     MIP_REQUIRED(2, 3, 1),
@@ -313,20 +328,19 @@ static const uint8_t program_choice[] = {
 };
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01, 0x08, MIP_COMMAND, 0, sizeof(struct mip_tools_choice), 0, program_choice};
+    0x01, 0x08,  MIP_COMMAND,    0,           sizeof(struct mip_tools_choice),
+    0,    false, program_choice, &mip_program};
 
-static bool asked_choice_1(const void *value) {
-    const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_choice_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_choice[] = {
-    {&mip_tools_choice_response_codec, asked_choice_1},
-    {NULL, NULL},
+    {asked_choice_1, NULL, 0x88},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_choice_command = {&mip_tools_choice_codec, NULL,
-                                                     responses_choice, 0};
+const struct mip_exchange mip_tools_choice_exchange = {0x01, 0x08, 0, true, NULL, responses_choice};
+
+const struct mip_command mip_tools_choice_command = {&mip_tools_choice_codec,
+                                                     &mip_tools_choice_exchange};
 
 static const uint8_t program_choice_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_choice_response, instance)),
@@ -369,7 +383,9 @@ const struct mip_codec mip_tools_choice_response_codec = {0x01,
                                                           0,
                                                           sizeof(struct mip_tools_choice_response),
                                                           0,
-                                                          program_choice_response};
+                                                          false,
+                                                          program_choice_response,
+                                                          &mip_program};
 
 static const uint8_t program_list[] = {
     MIP_REQUIRED(1, 2),
@@ -382,19 +398,18 @@ static const uint8_t program_list[] = {
 };
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), 0, program_list};
+    0x01, 0x09,  MIP_COMMAND,  0,           sizeof(struct mip_tools_list),
+    0,    false, program_list, &mip_program};
 
-static bool asked_list_1(const void *value) {
-    const struct mip_tools_list *v = (const struct mip_tools_list *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_list_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_list[] = {
-    {&mip_tools_list_response_codec, asked_list_1},
-    {NULL, NULL},
+    {asked_list_1, NULL, 0x89},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, NULL, responses_list, 0};
+const struct mip_exchange mip_tools_list_exchange = {0x01, 0x09, 0, true, NULL, responses_list};
+
+const struct mip_command mip_tools_list_command = {&mip_tools_list_codec, &mip_tools_list_exchange};
 
 static const uint8_t program_list_response[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_list_response, count)),
@@ -405,22 +420,25 @@ static const uint8_t program_list_response[] = {
 };
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01, 0x89, MIP_RESPONSE, 0, sizeof(struct mip_tools_list_response), 0, program_list_response};
+    0x01, 0x89,  MIP_RESPONSE,          0,           sizeof(struct mip_tools_list_response),
+    0,    false, program_list_response, &mip_program};
 
 static const uint8_t program_stock[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_tools_stock_codec = {
-    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, program_stock};
+    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, false, program_stock, NULL};
 
 static const struct mip_response responses_stock[] = {
-    {&mip_tools_stock_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8A},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec, NULL, responses_stock,
-                                                    0};
+const struct mip_exchange mip_tools_stock_exchange = {0x01, 0x0A, 0, false, NULL, responses_stock};
+
+const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec,
+                                                    &mip_tools_stock_exchange};
 
 static const uint8_t program_stock_response[] = {
     MIP_REST(126, 2, MIP_AT(struct mip_tools_stock_response, descriptors_count)),
@@ -428,13 +446,9 @@ static const uint8_t program_stock_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_stock_response_codec = {0x01,
-                                                         0x8A,
-                                                         MIP_RESPONSE,
-                                                         0,
-                                                         sizeof(struct mip_tools_stock_response),
-                                                         0,
-                                                         program_stock_response};
+const struct mip_codec mip_tools_stock_response_codec = {
+    0x01, 0x8A,  MIP_RESPONSE,           0,           sizeof(struct mip_tools_stock_response),
+    0,    false, program_stock_response, &mip_program};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -446,27 +460,32 @@ static const uint8_t program_pin[] = {
 };
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, program_pin};
+    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, false, program_pin, &mip_program};
 
-static bool asked_pin_1(const void *value) {
-    const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
+static const uint8_t asked_pin_1[] = {MIP_WHEN(0, MIP_FUNCTION_SELECTOR_READ), MIP_WHEN_END};
 static const struct mip_response responses_pin[] = {
-    {&mip_tools_pin_response_codec, asked_pin_1},
-    {NULL, NULL},
+    {asked_pin_1, NULL, 0x8B},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, NULL, responses_pin, 0};
+const struct mip_exchange mip_tools_pin_exchange = {0x01, 0x0B, 0, true, NULL, responses_pin};
+
+const struct mip_command mip_tools_pin_command = {&mip_tools_pin_codec, &mip_tools_pin_exchange};
 
 static const uint8_t program_pin_response[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_tools_pin_response, drive)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_pin_response_codec = {
-    0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), 0, program_pin_response};
+const struct mip_codec mip_tools_pin_response_codec = {0x01,
+                                                       0x8B,
+                                                       MIP_RESPONSE,
+                                                       2,
+                                                       sizeof(struct mip_tools_pin_response),
+                                                       0,
+                                                       sizeof(struct mip_tools_pin_response) >= 8,
+                                                       program_pin_response,
+                                                       NULL};
 
 static const uint8_t program_hello[] = {
     MIP_OPTIONAL(1), MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
@@ -475,15 +494,18 @@ static const uint8_t program_hello[] = {
 };
 
 const struct mip_codec mip_tools_hello_codec = {
-    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), 0, program_hello};
+    0x01, 0x0C,  MIP_COMMAND,   0,           sizeof(struct mip_tools_hello),
+    0,    false, program_hello, &mip_program};
 
 static const struct mip_response responses_hello[] = {
-    {&mip_tools_hello_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8C},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_hello_command = {&mip_tools_hello_codec, NULL, responses_hello,
-                                                    0};
+const struct mip_exchange mip_tools_hello_exchange = {0x01, 0x0C, 0, false, NULL, responses_hello};
+
+const struct mip_command mip_tools_hello_command = {&mip_tools_hello_codec,
+                                                    &mip_tools_hello_exchange};
 
 static const uint8_t program_hello_response[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_tools_hello_response, seen)),
@@ -496,23 +518,36 @@ const struct mip_codec mip_tools_hello_response_codec = {0x01,
                                                          4,
                                                          sizeof(struct mip_tools_hello_response),
                                                          0,
-                                                         program_hello_response};
+                                                         sizeof(struct mip_tools_hello_response) >=
+                                                             8,
+                                                         program_hello_response,
+                                                         NULL};
 
 static const uint8_t program_readings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_readings, drive)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_readings_codec = {
-    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), 0, program_readings};
+const struct mip_codec mip_tools_readings_codec = {0x01,
+                                                   0x0D,
+                                                   MIP_COMMAND,
+                                                   1,
+                                                   sizeof(struct mip_tools_readings),
+                                                   0,
+                                                   sizeof(struct mip_tools_readings) >= 8,
+                                                   program_readings,
+                                                   NULL};
 
 static const struct mip_response responses_readings[] = {
-    {&mip_tools_readings_response_codec, NULL},
-    {NULL, NULL},
+    {NULL, NULL, 0x8D},
+    {NULL, NULL, 0},
 };
 
-const struct mip_command mip_tools_readings_command = {&mip_tools_readings_codec, NULL,
-                                                       responses_readings, 0};
+const struct mip_exchange mip_tools_readings_exchange = {0x01,  0x0D, 0,
+                                                         false, NULL, responses_readings};
+
+const struct mip_command mip_tools_readings_command = {&mip_tools_readings_codec,
+                                                       &mip_tools_readings_exchange};
 
 static const uint8_t program_readings_response[] = {
     MIP_FAR,
@@ -536,7 +571,9 @@ const struct mip_codec mip_tools_readings_response_codec = {
     0,
     sizeof(struct mip_tools_readings_response),
     0,
-    program_readings_response};
+    false,
+    program_readings_response,
+    &mip_program};
 
 static const uint8_t program_poll[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_tools_poll, descriptor_set)),
@@ -547,6 +584,9 @@ static const uint8_t program_poll[] = {
 };
 
 const struct mip_codec mip_tools_poll_codec = {
-    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), 0, program_poll};
+    0x01, 0x0E,  MIP_COMMAND,  0,           sizeof(struct mip_tools_poll),
+    0,    false, program_poll, &mip_program};
 
-const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, NULL, NULL, 0};
+const struct mip_exchange mip_tools_poll_exchange = {0x01, 0x0E, 0, false, NULL, NULL};
+
+const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, &mip_tools_poll_exchange};

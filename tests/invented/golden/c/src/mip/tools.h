@@ -170,12 +170,12 @@ extern MIP_API const struct mip_codec mip_tools_ping_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_ping_decode(struct mip_tools_ping *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_ping_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
 }
 
@@ -235,12 +235,12 @@ extern MIP_API const struct mip_codec mip_tools_settings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_settings_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_settings_codec, 0x02, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_settings_encode(const struct mip_tools_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
 }
 /**
@@ -373,11 +373,11 @@ extern MIP_API const struct mip_codec mip_tools_settings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_response_decode(
     struct mip_tools_settings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_settings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_settings_response_codec, 0x82, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_settings_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_response_codec, value, builder);
 }
@@ -401,7 +401,7 @@ static inline mip_error mip_tools_settings_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_settings_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_settings_response_encode_inline(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x82, 9, &data);
@@ -455,12 +455,12 @@ extern MIP_API const struct mip_codec mip_tools_set_time_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_codec, 0x03, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_set_time_encode(const struct mip_tools_set_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
 }
 /**
@@ -530,11 +530,12 @@ extern MIP_API const struct mip_codec mip_tools_set_time_fast_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_fast_response_decode(
     struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_fast_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_fast_response_codec, 0x83, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_fast_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
 }
@@ -554,7 +555,7 @@ static inline mip_error mip_tools_set_time_fast_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_set_time_fast_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode_inline(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
@@ -590,11 +591,12 @@ extern MIP_API const struct mip_codec mip_tools_set_time_slow_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_slow_response_decode(
     struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_set_time_slow_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_set_time_slow_response_codec, 0x84, value, sizeof(*value),
+                           field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_set_time_slow_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
 }
@@ -614,7 +616,7 @@ static inline mip_error mip_tools_set_time_slow_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_set_time_slow_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode_inline(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
@@ -657,12 +659,12 @@ extern MIP_API const struct mip_codec mip_tools_status_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_codec, 0x04, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
 }
 /**
@@ -712,12 +714,12 @@ extern MIP_API const struct mip_codec mip_tools_status_short_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_short_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_short_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
+    const struct mip_tools_status_short *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
 }
 
@@ -759,12 +761,12 @@ extern MIP_API const struct mip_codec mip_tools_status_long_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_long_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_long_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
+    const struct mip_tools_status_long *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
 }
 
@@ -803,12 +805,12 @@ extern MIP_API const struct mip_codec mip_tools_status_old_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
                                                     const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_old_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_status_old_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
-                                                    struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
 }
 
@@ -851,12 +853,12 @@ extern MIP_API const struct mip_codec mip_tools_full_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_full_decode(struct mip_tools_full *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_full_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_full_codec, 0x90, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
 }
 
@@ -897,12 +899,12 @@ extern MIP_API const struct mip_codec mip_tools_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_bias_codec, 0x05, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
 }
 /**
@@ -968,12 +970,12 @@ extern MIP_API const struct mip_codec mip_tools_bias_vector_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
                                                      const struct mip_field *field) {
-    return mip_decode(&mip_tools_bias_vector_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_bias_vector_codec, 0x9B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
-                                                     struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
+    const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_vector_codec, value, builder);
 }
 
@@ -994,7 +996,7 @@ static inline mip_error mip_tools_bias_vector_decode_inline(struct mip_tools_bia
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_bias_vector_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode_inline(
     const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x9B, 12, &data);
@@ -1036,12 +1038,12 @@ extern MIP_API const struct mip_codec mip_tools_capture_bias_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_capture_bias_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_capture_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode(
+    const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_capture_bias_codec, value, builder);
 }
 
@@ -1060,7 +1062,7 @@ static inline mip_error mip_tools_capture_bias_decode_inline(struct mip_tools_ca
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_capture_bias_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode_inline(
     const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x06, 2, &data);
@@ -1115,12 +1117,12 @@ extern MIP_API const struct mip_codec mip_tools_formats_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value,
                                                  const struct mip_field *field) {
-    return mip_decode(&mip_tools_formats_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_formats_codec, 0x07, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
-                                                 struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
+                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
 }
 /**
@@ -1195,12 +1197,12 @@ extern MIP_API const struct mip_codec mip_tools_choice_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
                                                 const struct mip_field *field) {
-    return mip_decode(&mip_tools_choice_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_choice_codec, 0x08, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
-                                                struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
+                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
 }
 /**
@@ -1277,11 +1279,11 @@ extern MIP_API const struct mip_codec mip_tools_choice_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
                                                          const struct mip_field *field) {
-    return mip_decode(&mip_tools_choice_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_choice_response_codec, 0x88, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_choice_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
 }
@@ -1323,12 +1325,12 @@ extern MIP_API const struct mip_codec mip_tools_list_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_list_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_list_codec, 0x09, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
 }
 /**
@@ -1385,12 +1387,12 @@ extern MIP_API const struct mip_codec mip_tools_list_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
                                                        const struct mip_field *field) {
-    return mip_decode(&mip_tools_list_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_list_response_codec, 0x89, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
-                                                       struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
+    const struct mip_tools_list_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
 }
 
@@ -1423,12 +1425,12 @@ extern MIP_API const struct mip_codec mip_tools_stock_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_decode(struct mip_tools_stock *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_tools_stock_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_stock_codec, 0x0A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
 }
 
@@ -1461,11 +1463,11 @@ extern MIP_API const struct mip_codec mip_tools_stock_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_tools_stock_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_stock_response_codec, 0x8A, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_stock_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
@@ -1509,12 +1511,12 @@ extern MIP_API const struct mip_codec mip_tools_pin_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
                                              const struct mip_field *field) {
-    return mip_decode(&mip_tools_pin_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_pin_codec, 0x0B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
-                                             struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
+                                                         struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
 }
 /**
@@ -1575,12 +1577,12 @@ extern MIP_API const struct mip_codec mip_tools_pin_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
                                                       const struct mip_field *field) {
-    return mip_decode(&mip_tools_pin_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_pin_response_codec, 0x8B, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
-                                                      struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
+    const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_response_codec, value, builder);
 }
 
@@ -1600,7 +1602,7 @@ static inline mip_error mip_tools_pin_response_decode_inline(struct mip_tools_pi
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_pin_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_pin_response_encode_inline(
     const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x8B, 2, &data);
@@ -1649,12 +1651,12 @@ extern MIP_API const struct mip_codec mip_tools_hello_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_decode(struct mip_tools_hello *value,
                                                const struct mip_field *field) {
-    return mip_decode(&mip_tools_hello_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_hello_codec, 0x0C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
-                                               struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
+                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
 }
 
@@ -1684,11 +1686,11 @@ extern MIP_API const struct mip_codec mip_tools_hello_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
                                                         const struct mip_field *field) {
-    return mip_decode(&mip_tools_hello_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_hello_response_codec, 0x8C, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_hello_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_response_codec, value, builder);
 }
@@ -1708,7 +1710,7 @@ static inline mip_error mip_tools_hello_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_hello_response_encode_inline(
+MIP_CHECKED static inline mip_error mip_tools_hello_response_encode_inline(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x8C, 4, &data);
@@ -1746,12 +1748,12 @@ extern MIP_API const struct mip_codec mip_tools_readings_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_readings_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_readings_codec, 0x0D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
-                                                  struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error
+mip_tools_readings_encode(const struct mip_tools_readings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_codec, value, builder);
 }
 
@@ -1770,8 +1772,8 @@ static inline mip_error mip_tools_readings_decode_inline(struct mip_tools_readin
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_readings *value,
-                                                         struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_readings_encode_inline(
+    const struct mip_tools_readings *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x01, 0x0D, 1, &data);
     if (error != MIP_OK) {
@@ -1829,11 +1831,11 @@ extern MIP_API const struct mip_codec mip_tools_readings_response_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_response_decode(
     struct mip_tools_readings_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_readings_response_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_readings_response_codec, 0x8D, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_readings_response_encode(
+MIP_CHECKED static inline mip_error mip_tools_readings_response_encode(
     const struct mip_tools_readings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
 }
@@ -1871,12 +1873,12 @@ extern MIP_API const struct mip_codec mip_tools_poll_codec;
 /** Decodes it. On an error the structure is zeroed. */
 static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
                                               const struct mip_field *field) {
-    return mip_decode(&mip_tools_poll_codec, value, field, NULL);
+    return mip_decode_only(&mip_tools_poll_codec, 0x0E, value, sizeof(*value), field);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
-                                              struct mip_builder *builder) {
+MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
+                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);
 }
 /**

@@ -18,6 +18,8 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_ping_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_ping_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
 static inline mip_error mip_send_tools_ping(struct mip_client *client, struct mip_request *request,
@@ -27,11 +29,13 @@ static inline mip_error mip_send_tools_ping(struct mip_client *client, struct mi
 
 /** Ping. See mip_device_call. */
 static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
-    return mip_device_call(device, &mip_tools_ping_command, NULL, NULL, NULL);
+    return mip_device_send(device, &mip_tools_ping_exchange, NULL, 0, NULL, NULL);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_settings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_settings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Settings. If the
@@ -58,9 +62,12 @@ static inline mip_error mip_send_tools_settings(struct mip_client *client,
 static inline struct mip_result mip_call_tools_settings_write(struct mip_device *device,
                                                               uint8_t port, enum mip_mode mode,
                                                               uint32_t baud) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_write(&command, port, mode, baud), NULL, NULL);
+    uint8_t data[7];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)port);
+    mip_put_8(data + 2, (uint8_t)mode);
+    mip_put_32(data + 3, (uint32_t)baud);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 7, NULL, NULL);
 }
 
 /**
@@ -73,9 +80,11 @@ static inline struct mip_result mip_call_tools_settings_write(struct mip_device 
 static inline struct mip_result
 mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_mode mode,
                              struct mip_tools_settings_response *response) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_read(&command, port, mode),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)port);
+    mip_put_8(data + 2, (uint8_t)mode);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 3,
                            &mip_tools_settings_response_codec, response);
 }
 
@@ -86,9 +95,10 @@ mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_m
  */
 static inline struct mip_result mip_call_tools_settings_save(struct mip_device *device,
                                                              uint8_t port) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_save(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -98,9 +108,10 @@ static inline struct mip_result mip_call_tools_settings_save(struct mip_device *
  */
 static inline struct mip_result mip_call_tools_settings_load(struct mip_device *device,
                                                              uint8_t port) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_load(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -110,9 +121,10 @@ static inline struct mip_result mip_call_tools_settings_load(struct mip_device *
  */
 static inline struct mip_result mip_call_tools_settings_default(struct mip_device *device,
                                                                 uint8_t port) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_default(&command, port), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    mip_put_8(data + 1, (uint8_t)port);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -127,9 +139,12 @@ static inline struct mip_result mip_call_tools_settings_default(struct mip_devic
 static inline struct mip_result mip_call_tools_settings_apply(struct mip_device *device,
                                                               uint8_t port, enum mip_mode mode,
                                                               uint32_t baud) {
-    struct mip_tools_settings command;
-    return mip_device_call(device, &mip_tools_settings_command,
-                           mip_tools_settings_apply(&command, port, mode, baud), NULL, NULL);
+    uint8_t data[7];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    mip_put_8(data + 1, (uint8_t)port);
+    mip_put_8(data + 2, (uint8_t)mode);
+    mip_put_32(data + 3, (uint32_t)baud);
+    return mip_device_send(device, &mip_tools_settings_exchange, data, 7, NULL, NULL);
 }
 
 /**
@@ -145,6 +160,8 @@ mip_call_tools_settings_with(struct mip_device *device, const struct mip_tools_s
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_set_time_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_set_time_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Set time. */
 static inline mip_error mip_send_tools_set_time(struct mip_client *client,
@@ -188,9 +205,11 @@ static inline mip_error mip_send_for_tools_set_time_slow_response(
  */
 static inline struct mip_result mip_call_tools_set_time_write(struct mip_device *device,
                                                               enum mip_mode part, uint32_t value) {
-    struct mip_tools_set_time command;
-    return mip_device_call(device, &mip_tools_set_time_command,
-                           mip_tools_set_time_write(&command, part, value), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)part);
+    mip_put_32(data + 2, (uint32_t)value);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -200,9 +219,10 @@ static inline struct mip_result mip_call_tools_set_time_write(struct mip_device 
  */
 static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *device,
                                                              enum mip_mode part) {
-    struct mip_tools_set_time command;
-    return mip_device_call(device, &mip_tools_set_time_command,
-                           mip_tools_set_time_read(&command, part), NULL, NULL);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)part);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2, NULL, NULL);
 }
 
 /**
@@ -211,9 +231,10 @@ static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *
  */
 static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
     struct mip_device *device, struct mip_tools_set_time_fast_response *response) {
-    struct mip_tools_set_time command;
-    return mip_device_call(device, &mip_tools_set_time_command,
-                           mip_tools_set_time_read(&command, MIP_MODE_FAST),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)MIP_MODE_FAST);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2,
                            &mip_tools_set_time_fast_response_codec, response);
 }
 
@@ -223,9 +244,10 @@ static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
  */
 static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
     struct mip_device *device, struct mip_tools_set_time_slow_response *response) {
-    struct mip_tools_set_time command;
-    return mip_device_call(device, &mip_tools_set_time_command,
-                           mip_tools_set_time_read(&command, MIP_MODE_SLOW),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)MIP_MODE_SLOW);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 2,
                            &mip_tools_set_time_slow_response_codec, response);
 }
 
@@ -238,9 +260,11 @@ static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
  */
 static inline struct mip_result mip_call_tools_set_time_apply(struct mip_device *device,
                                                               enum mip_mode part, uint32_t value) {
-    struct mip_tools_set_time command;
-    return mip_device_call(device, &mip_tools_set_time_command,
-                           mip_tools_set_time_apply(&command, part, value), NULL, NULL);
+    uint8_t data[6];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_APPLY);
+    mip_put_8(data + 1, (uint8_t)part);
+    mip_put_32(data + 2, (uint32_t)value);
+    return mip_device_send(device, &mip_tools_set_time_exchange, data, 6, NULL, NULL);
 }
 
 /**
@@ -254,6 +278,8 @@ mip_call_tools_set_time_with(struct mip_device *device, const struct mip_tools_s
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_status_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_status_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Status. */
 static inline mip_error mip_send_tools_status(struct mip_client *client,
@@ -317,41 +343,55 @@ static inline mip_error mip_send_for_tools_full(struct mip_client *client,
  * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
  */
 static inline struct mip_result mip_call_tools_status(struct mip_device *device, uint8_t selector) {
-    struct mip_tools_status command;
-    return mip_device_call(device, &mip_tools_status_command,
-                           mip_tools_status_make(&command, selector), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)selector);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3, NULL, NULL);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_status_short(
     struct mip_device *device, struct mip_tools_status_short *response) {
-    struct mip_tools_status command;
-    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 1),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)1);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
                            &mip_tools_status_short_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_long(struct mip_device *device, struct mip_tools_status_long *response) {
-    struct mip_tools_status command;
-    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)2);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3,
                            &mip_tools_status_long_codec, response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_old(struct mip_device *device, struct mip_tools_status_old *response) {
-    struct mip_tools_status command;
-    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
-                           &mip_tools_status_old_codec, response);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)2);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3, &mip_tools_status_old_codec,
+                           response);
 }
 
 /** Status. The answer is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_full(struct mip_device *device,
                                                         struct mip_tools_full *response) {
-    struct mip_tools_status command;
-    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
-                           &mip_tools_full_codec, response);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)18);
+    mip_put_8(data + 1, (uint8_t)103);
+    mip_put_8(data + 2, (uint8_t)2);
+    return mip_device_send(device, &mip_tools_status_exchange, data, 3, &mip_tools_full_codec,
+                           response);
 }
 
 /**
@@ -364,6 +404,8 @@ static inline struct mip_result mip_call_tools_status_with(struct mip_device *de
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_bias_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_bias_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Bias. If the command
@@ -384,38 +426,42 @@ static inline mip_error mip_send_tools_bias(struct mip_client *client, struct mi
  */
 static inline struct mip_result mip_call_tools_bias_write(struct mip_device *device,
                                                           const float bias[3]) {
-    struct mip_tools_bias command;
-    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_write(&command, bias),
-                           NULL, NULL);
+    uint8_t data[13];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &bias[i]);
+    }
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 13, NULL, NULL);
 }
 
 /** Bias: read. Send the current setting back in a response. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_read(struct mip_device *device,
                                                          struct mip_tools_bias_vector *response) {
-    struct mip_tools_bias command;
-    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_read(&command),
-                           &mip_tools_bias_vector_codec, response);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, &mip_tools_bias_vector_codec,
+                           response);
 }
 
 /** Bias: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_save(struct mip_device *device) {
-    struct mip_tools_bias command;
-    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_save(&command), NULL,
-                           NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
 }
 
 /** Bias: load. Load the saved setting. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_load(struct mip_device *device) {
-    struct mip_tools_bias command;
-    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_load(&command), NULL,
-                           NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_LOAD);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
 }
 
 /** Bias: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_tools_bias_default(struct mip_device *device) {
-    struct mip_tools_bias command;
-    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_default(&command), NULL,
-                           NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_DEFAULT);
+    return mip_device_send(device, &mip_tools_bias_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -430,6 +476,8 @@ static inline struct mip_result mip_call_tools_bias_with(struct mip_device *devi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_capture_bias_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_capture_bias_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Capture bias. If the
@@ -452,9 +500,9 @@ static inline mip_error mip_send_tools_capture_bias(struct mip_client *client,
  */
 static inline struct mip_result mip_call_tools_capture_bias(
     struct mip_device *device, uint16_t time, struct mip_tools_bias_vector *response) {
-    struct mip_tools_capture_bias command;
-    return mip_device_call(device, &mip_tools_capture_bias_command,
-                           mip_tools_capture_bias_make(&command, time),
+    uint8_t data[2];
+    mip_put_16(data, (uint16_t)time);
+    return mip_device_send(device, &mip_tools_capture_bias_exchange, data, 2,
                            &mip_tools_bias_vector_codec, response);
 }
 
@@ -471,6 +519,8 @@ static inline struct mip_result mip_call_tools_capture_bias_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_formats_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_formats_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Formats. */
 static inline mip_error mip_send_tools_formats(struct mip_client *client,
@@ -511,6 +561,8 @@ mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_fo
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_choice_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_choice_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Choice. If the
@@ -550,9 +602,10 @@ mip_call_tools_choice_write(struct mip_device *device, uint8_t instance, enum mi
  */
 static inline struct mip_result mip_call_tools_choice_read(
     struct mip_device *device, uint8_t instance, struct mip_tools_choice_response *response) {
-    struct mip_tools_choice command;
-    return mip_device_call(device, &mip_tools_choice_command,
-                           mip_tools_choice_read(&command, instance),
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)instance);
+    return mip_device_send(device, &mip_tools_choice_exchange, data, 2,
                            &mip_tools_choice_response_codec, response);
 }
 
@@ -568,6 +621,8 @@ mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_cho
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_list_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_list_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. List. If the command
@@ -590,24 +645,31 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
  */
 static inline struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
                                                           const uint16_t items[]) {
-    struct mip_tools_list command;
-    return mip_device_call(device, &mip_tools_list_command,
-                           mip_tools_list_write(&command, count, items), NULL, NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)count);
+    for (size_t i = 0; i < count && i < 125; i++) {
+        mip_put_16(data + 2 + 2 * i, (uint16_t)items[i]);
+    }
+    return mip_device_send(device, &mip_tools_list_exchange, data,
+                           count <= 125 ? 2 + 2 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
+                           NULL);
 }
 
 /** List: read. Send the current setting back in a response. See mip_device_call. */
 static inline struct mip_result mip_call_tools_list_read(struct mip_device *device,
                                                          struct mip_tools_list_response *response) {
-    struct mip_tools_list command;
-    return mip_device_call(device, &mip_tools_list_command, mip_tools_list_read(&command),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    return mip_device_send(device, &mip_tools_list_exchange, data, 1,
                            &mip_tools_list_response_codec, response);
 }
 
 /** List: save. Save the current setting to non-volatile memory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_list_save(struct mip_device *device) {
-    struct mip_tools_list command;
-    return mip_device_call(device, &mip_tools_list_command, mip_tools_list_save(&command), NULL,
-                           NULL);
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_SAVE);
+    return mip_device_send(device, &mip_tools_list_exchange, data, 1, NULL, NULL);
 }
 
 /**
@@ -622,6 +684,8 @@ static inline struct mip_result mip_call_tools_list_with(struct mip_device *devi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_stock_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_stock_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Inventory. If the
@@ -638,12 +702,14 @@ static inline mip_error mip_send_tools_stock(struct mip_client *client, struct m
 /** Inventory. See mip_device_call. */
 static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
                                                      struct mip_tools_stock_response *response) {
-    return mip_device_call(device, &mip_tools_stock_command, NULL, &mip_tools_stock_response_codec,
-                           response);
+    return mip_device_send(device, &mip_tools_stock_exchange, NULL, 0,
+                           &mip_tools_stock_response_codec, response);
 }
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_pin_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_pin_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pin. If the command
@@ -666,9 +732,11 @@ static inline mip_error mip_send_tools_pin(struct mip_client *client, struct mip
  */
 static inline struct mip_result mip_call_tools_pin_write(struct mip_device *device,
                                                          enum mip_tools_drive drive, uint8_t use) {
-    struct mip_tools_pin command;
-    return mip_device_call(device, &mip_tools_pin_command,
-                           mip_tools_pin_write(&command, drive, use), NULL, NULL);
+    uint8_t data[3];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_WRITE);
+    mip_put_8(data + 1, (uint8_t)drive);
+    mip_put_8(data + 2, (uint8_t)use);
+    return mip_device_send(device, &mip_tools_pin_exchange, data, 3, NULL, NULL);
 }
 
 /**
@@ -679,9 +747,11 @@ static inline struct mip_result mip_call_tools_pin_write(struct mip_device *devi
 static inline struct mip_result mip_call_tools_pin_read(struct mip_device *device,
                                                         enum mip_tools_drive drive,
                                                         struct mip_tools_pin_response *response) {
-    struct mip_tools_pin command;
-    return mip_device_call(device, &mip_tools_pin_command, mip_tools_pin_read(&command, drive),
-                           &mip_tools_pin_response_codec, response);
+    uint8_t data[2];
+    mip_put_8(data, (uint8_t)MIP_FUNCTION_SELECTOR_READ);
+    mip_put_8(data + 1, (uint8_t)drive);
+    return mip_device_send(device, &mip_tools_pin_exchange, data, 2, &mip_tools_pin_response_codec,
+                           response);
 }
 
 /** Pin: calls the command with these values, including optional parameters. See mip_device_call. */
@@ -694,6 +764,8 @@ static inline struct mip_result mip_call_tools_pin_with(struct mip_device *devic
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_hello_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_hello_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Hello. If the command
@@ -720,6 +792,8 @@ mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hell
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_readings_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_readings_exchange;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Readings. If the
@@ -743,9 +817,9 @@ static inline mip_error mip_send_tools_readings(struct mip_client *client,
 static inline struct mip_result
 mip_call_tools_readings(struct mip_device *device, enum mip_tools_drive drive,
                         struct mip_tools_readings_response *response) {
-    struct mip_tools_readings command;
-    return mip_device_call(device, &mip_tools_readings_command,
-                           mip_tools_readings_make(&command, drive),
+    uint8_t data[1];
+    mip_put_8(data, (uint8_t)drive);
+    return mip_device_send(device, &mip_tools_readings_exchange, data, 1,
                            &mip_tools_readings_response_codec, response);
 }
 
@@ -762,6 +836,8 @@ mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_r
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_poll_command;
+/** How it is answered. */
+extern MIP_API const struct mip_exchange mip_tools_poll_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll. */
 static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mip_request *request,
@@ -782,10 +858,16 @@ static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mi
 static inline struct mip_result mip_call_tools_poll(struct mip_device *device,
                                                     uint8_t descriptor_set, uint8_t first,
                                                     uint8_t count, const uint8_t descriptors[]) {
-    struct mip_tools_poll command;
-    return mip_device_call(device, &mip_tools_poll_command,
-                           mip_tools_poll_make(&command, descriptor_set, first, count, descriptors),
-                           NULL, NULL);
+    uint8_t data[MIP_MAX_FIELD_DATA];
+    mip_put_8(data, (uint8_t)descriptor_set);
+    mip_put_8(data + 1, (uint8_t)first);
+    mip_put_8(data + 2, (uint8_t)count);
+    for (size_t i = 0; i < count && i < 250; i++) {
+        mip_put_8(data + 3 + 1 * i, (uint8_t)descriptors[i]);
+    }
+    return mip_device_send(device, &mip_tools_poll_exchange, data,
+                           count <= 250 ? 3 + 1 * (size_t)count : MIP_MAX_FIELD_DATA + 1, NULL,
+                           NULL);
 }
 
 /**

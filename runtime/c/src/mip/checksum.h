@@ -1,17 +1,29 @@
-/* The checksum: a is the sum of all bytes, b the sum of all values of a, both modulo 256.
+/**
+ * @file
+ * The checksum, for the parser, which checks packets without a call, and for mip_checksum.
+ */
+#ifndef MIP_CHECKSUM_H
+#define MIP_CHECKSUM_H
+
+/* a is the sum of all bytes, b the sum of all values of a, both modulo 256.
  *
  * For bytes x[0] to x[n - 1], b is also the sum of (n - i) * x[i], so that many bytes can be
  * added at once. MIP_CHECKSUM selects the method; without it, the compiler's target and options
  * do. */
 #include "mip/core.h"
 
-#define MIP_CHECKSUM_PLAIN 0 /* byte by byte: the smallest */
-#define MIP_CHECKSUM_WORDS 1 /* eight bytes at a time: portable */
-#define MIP_CHECKSUM_SSE2 2  /* sixteen bytes at a time */
+/** Byte by byte: the smallest. */
+#define MIP_CHECKSUM_PLAIN 0
+/** Eight bytes at a time: portable. */
+#define MIP_CHECKSUM_WORDS 1
+/** Sixteen bytes at a time. */
+#define MIP_CHECKSUM_SSE2 2
+/** The same. */
 #define MIP_CHECKSUM_NEON 3
 
 #ifndef MIP_CHECKSUM
 #if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
+/** The method. */
 #define MIP_CHECKSUM MIP_CHECKSUM_PLAIN
 #elif defined(__SSE2__) || defined(_M_X64)
 #define MIP_CHECKSUM MIP_CHECKSUM_SSE2
@@ -23,13 +35,16 @@
 #endif
 
 /** The sums; only their low eight bits count. */
-struct sums {
+struct mip_sums {
+    /** The sum of all bytes. */
     uint32_t a;
+    /** The sum of all values of a. */
     uint32_t b;
 };
 
-static struct sums plain(const uint8_t *bytes, size_t size) {
-    struct sums s = {0, 0};
+/** Byte by byte. */
+static inline struct mip_sums plain(const uint8_t *bytes, size_t size) {
+    struct mip_sums s = {0, 0};
     for (size_t i = 0; i < size; i++) {
         s.a += bytes[i];
         s.b += s.a;
@@ -37,19 +52,20 @@ static struct sums plain(const uint8_t *bytes, size_t size) {
     return s;
 }
 
-#if MIP_CHECKSUM != MIP_CHECKSUM_PLAIN
+#if MIP_CHECKSUM == MIP_CHECKSUM_WORDS
 
 /** Four lanes of 16 bits, each with eight that count. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
 
 /** Compilers make one load of this where the host allows it. */
-static uint64_t load(const uint8_t *p) {
+static inline uint64_t load(const uint8_t *p) {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 |
            (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 |
            (uint64_t)p[7] << 56;
 }
 
-static struct sums words(const uint8_t *bytes, size_t size) {
+/** Eight bytes at a time. */
+static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
     if (size < 8) {
         return plain(bytes, size);
     }
@@ -78,7 +94,7 @@ static struct sums words(const uint8_t *bytes, size_t size) {
     const uint64_t a = (even + odd) * UINT64_C(0x0001000100010001);
     const uint64_t b = before * UINT64_C(0x0008000800080008) + even * UINT64_C(0x0008000600040002) +
                        odd * UINT64_C(0x0007000500030001);
-    const struct sums sums = {(uint32_t)(a >> 48), (uint32_t)(b >> 48)};
+    const struct mip_sums sums = {(uint32_t)(a >> 48), (uint32_t)(b >> 48)};
     return sums;
 }
 
@@ -86,11 +102,15 @@ static struct sums words(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
 
-/* Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
- * without those that are done: they are replaced by zeros. */
-static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
-                                  0,    0,    0,    0,    0,    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                  0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+/** Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
+ * without those that are done: this replaces them by zeros. */
+static inline const uint8_t *mask(size_t rest) {
+    static const uint8_t bytes[32] = {0,    0,    0,    0,    0,    0,    0,    0,
+                                      0,    0,    0,    0,    0,    0,    0,    0,
+                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+    return bytes + rest;
+}
 
 #endif
 
@@ -98,25 +118,27 @@ static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,  
 
 #include <emmintrin.h>
 
-static __m128i block(const uint8_t *bytes) {
+/** Sixteen bytes. */
+static inline __m128i block(const uint8_t *bytes) {
     return _mm_loadu_si128((const __m128i *)(const void *)bytes);
 }
 
-static struct sums vectors(const uint8_t *bytes, size_t size) {
+/** Sixteen bytes at a time. */
+static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     if (size < 16) {
-        return words(bytes, size);
+        return plain(bytes, size);
     }
     const __m128i zero = _mm_setzero_si128();
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
     __m128i done = zero;   /* sums of bytes by their place in a block */
     __m128i before = zero; /* the sum of what the sums were before each block */
-    do {
+    for (size_t left = size / 16; left > 0; left--) {
         before = _mm_add_epi8(before, done);
         done = _mm_add_epi8(done, block(bytes));
         bytes += 16;
-    } while (bytes <= last);
-    const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(masks + rest), block(last)));
+    }
+    const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(mask(rest)), block(last)));
     const __m128i low = _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16);
     const __m128i high = _mm_set_epi16(1, 2, 3, 4, 5, 6, 7, 8);
     const __m128i inside = _mm_add_epi32(_mm_madd_epi16(_mm_unpacklo_epi8(a, zero), low),
@@ -129,7 +151,7 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
     both = _mm_add_epi32(both, _mm_unpackhi_epi64(both, both));
     both = _mm_add_epi32(both, _mm_srli_epi64(both, 32));
     const uint32_t result = (uint32_t)_mm_cvtsi128_si32(both);
-    const struct sums sums = {result >> 20, result};
+    const struct mip_sums sums = {result >> 20, result};
     return sums;
 }
 
@@ -137,16 +159,18 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
 
 #include <arm_neon.h>
 
-static uint32_t total(uint16x8_t v) {
+/** The sum of all lanes. */
+static inline uint32_t total(uint16x8_t v) {
     const uint32x4_t sums = vpaddlq_u16(v);
     return vgetq_lane_u32(sums, 0) + vgetq_lane_u32(sums, 1) + vgetq_lane_u32(sums, 2) +
            vgetq_lane_u32(sums, 3);
 }
 
-static struct sums vectors(const uint8_t *bytes, size_t size) {
+/** Sixteen bytes at a time. */
+static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     static const uint8_t weights[16] = {16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1};
     if (size < 16) {
-        return words(bytes, size);
+        return plain(bytes, size);
     }
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
@@ -157,23 +181,26 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
         done = vaddq_u8(done, vld1q_u8(bytes));
         bytes += 16;
     } while (bytes <= last);
-    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(masks + rest), vld1q_u8(last)));
+    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(mask(rest)), vld1q_u8(last)));
     const uint8x16_t inside = vmulq_u8(a, vld1q_u8(weights));
     const uint8x16_t behind = vmulq_u8(done, vdupq_n_u8((uint8_t)rest));
     const uint8x16_t b = vaddq_u8(vaddq_u8(inside, behind), vshlq_n_u8(before, 4));
-    const struct sums sums = {total(vpaddlq_u8(a)), total(vpaddlq_u8(b))};
+    const struct mip_sums sums = {total(vpaddlq_u8(a)), total(vpaddlq_u8(b))};
     return sums;
 }
 
 #endif
 
-uint16_t mip_checksum(const uint8_t *bytes, size_t size) {
+/** The checksum of some bytes. */
+static inline uint16_t mip_sum(const uint8_t *bytes, size_t size) {
 #if MIP_CHECKSUM == MIP_CHECKSUM_PLAIN
-    const struct sums s = plain(bytes, size);
+    const struct mip_sums s = plain(bytes, size);
 #elif MIP_CHECKSUM == MIP_CHECKSUM_WORDS
-    const struct sums s = words(bytes, size);
+    const struct mip_sums s = words(bytes, size);
 #else
-    const struct sums s = vectors(bytes, size);
+    const struct mip_sums s = vectors(bytes, size);
 #endif
     return (uint16_t)((s.a & 0xFFU) << 8 | (s.b & 0xFFU));
 }
+
+#endif
