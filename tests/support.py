@@ -331,6 +331,7 @@ def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
             if field is None:
                 raise codec.CodecError("unknown", f["name"])
             parts.append((field.descriptor, codec.encode(field, f["values"])))
+            codec.build(of, request["set"], parts)  # of several mistakes the first one is told
         return {"packet": codec.build(of, request["set"], parts).hex()}
     except codec.CodecError as error:
         return {"error": error.kind}

@@ -77,7 +77,7 @@ ROWS = [
 def plain(text: str) -> str:
     """Words without the marks of comments, code and links."""
     text = re.sub(r"^\s*(///|/\*\*|\*/|\*|//)|\*/\s*$", " ", text, flags=re.M)
-    text = re.sub(r"<[^>]*>|`|\\(?=\W)", "", text)
+    text = re.sub(r"</?\w[^>]*>|`|\\(?=\W)", "", text)
     text = re.sub(r"\[((?:[^][]|\[\w*\])*)\]\([^()\s]*\)", r"\1", " ".join(text.split()))
     return " ".join(text.split())
 

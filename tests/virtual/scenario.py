@@ -98,7 +98,7 @@ def strangers(device: m.Device) -> list[Trial]:
     found: dict[int, Trial] = {}
     for f in model("real").fields:
         if f.role == m.COMMAND and f.full_name not in known and f.set not in found:
-            found[f.set] = next(trials(m.Support(f, f.set, f.functions), device))
+            found[f.set] = next(trials(m.Support(f, f.set, f.functions, m.Evidence("listed")), device))
     return list(found.values())
 
 

@@ -20,7 +20,7 @@ class DisplacementRaw(Data):
 
     Not listed in any device profile. Known only from the MicroStrain Communication Library.
 
-    - mscl: Raw Displacement (0x90,0x01)
+    - mscl: Raw displacement (0x90,0x01)
     """
 
     __slots__ = ("counts",)

@@ -310,7 +310,7 @@ class VehicleDynamicsModeResponse(Response):
     3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
     the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
 
     __slots__ = ("mode",)
@@ -401,7 +401,7 @@ class SensorToVehicleOffsetResponse(Response):
     3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from
     the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
 
     __slots__ = ("offset",)
@@ -1053,7 +1053,7 @@ class PressureAltitudeNoiseResponse(Response):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
 
     __slots__ = ("noise",)
@@ -1094,7 +1094,7 @@ class HardIronOffsetNoiseResponse(Response):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
 
     __slots__ = ("noise",)
@@ -1136,7 +1136,7 @@ class SoftIronMatrixNoiseResponse(Response):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
 
     __slots__ = ("noise",)
@@ -1183,7 +1183,7 @@ class TareOrientationResponse(Response):
     the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
-    - mip-sdk-4: Tare Orientation (0x0D,0x21)
+    - mip-sdk-4: Tare orientation (0x0D,0x21)
     """
 
     __slots__ = ("axes",)
@@ -1714,7 +1714,7 @@ class AltitudeAidingResponse(Response):
     Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Probably supported by 3DM-CL5-25, 3DM-CV5-25,
     3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
 
     __slots__ = ("selector",)
@@ -2021,7 +2021,7 @@ class KinematicConstraintResponse(Response):
 
     Answers `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
 
     __slots__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
@@ -2863,7 +2863,7 @@ class VehicleDynamicsMode(Command[R]):
     Probably supported by 3DM-CV5-45, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT
     and 3DM-RQ1-45-ST. Refused by 3DM-GX3-25. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
 
     __slots__ = ("function", "mode")
@@ -3123,7 +3123,7 @@ class SensorToVehicleOffset(Command[R]):
 
     The shift is constant. It does not follow the attitude, as a lever arm would.
 
-    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
 
     __slots__ = ("function", "offset")
@@ -3582,7 +3582,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
-    - mip-sdk-4: External Gnss Update (0x0D,0x16)
+    - mip-sdk-4: External GNSS update (0x0D,0x16)
     """
 
     __slots__ = (
@@ -4832,7 +4832,7 @@ class TareOrientation(Command[R]):
     Refused while the filter has no valid attitude.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
-    - mip-sdk-4: Tare Orientation (0x0D,0x21)
+    - mip-sdk-4: Tare orientation (0x0D,0x21)
     """
 
     __slots__ = ("function", "axes")
@@ -5337,7 +5337,7 @@ class PressureAltitudeNoise(Command[R]):
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
     changes of height.
 
-    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
 
     __slots__ = ("function", "noise")
@@ -5441,7 +5441,7 @@ class HardIronOffsetNoise(Command[R]):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
 
     __slots__ = ("function", "noise")
@@ -5550,7 +5550,7 @@ class SoftIronMatrixNoise(Command[R]):
     3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-25, 3DM-CX5-45 and 3DM-GX5-25. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
 
     __slots__ = ("function", "noise")
@@ -6762,7 +6762,7 @@ class AltitudeAiding(Command[R]):
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
 
-    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
 
     __slots__ = ("function", "selector")
@@ -7607,7 +7607,7 @@ class KinematicConstraint(Command[R]):
     SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
     in remarks.
 
-    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
 
     __slots__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
@@ -8611,7 +8611,7 @@ class SpeedMeasurement(Command[None]):
     It must not be used together with the odometer of the device. Single precision resolves the time
     of week to 0.0625 s at the end of the week.
 
-    - mip-sdk-4: Speed Measurement (0x0D,0x60)
+    - mip-sdk-4: Speed measurement (0x0D,0x60)
     """
 
     __slots__ = ("source", "tow", "speed", "speed_uncertainty")

@@ -2215,7 +2215,7 @@ class StandardAtmosphere(Data):
 
     It is valid only with a valid GNSS position.
 
-    - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+    - mip-sdk-4: Standard atmosphere (0x82,0x20)
     """
 
     __slots__ = (
@@ -2375,7 +2375,7 @@ class DensityAltitude(Data):
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
     gives the name only; the description is the usual meaning of the term.
 
-    - mip-sdk-4: Density Altitude (0x82,0x22)
+    - mip-sdk-4: Density altitude (0x82,0x22)
     """
 
     __slots__ = ("density_altitude", "valid_flags")
@@ -2426,7 +2426,7 @@ class MagOffset(Data):
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
-    - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+    - mip-sdk-4: Magnetometer offset (0x82,0x25)
     """
 
     __slots__ = ("hard_iron", "valid_flags")
@@ -2480,7 +2480,7 @@ class MagMatrix(Data):
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
-    - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+    - mip-sdk-4: Magnetometer matrix (0x82,0x26)
     """
 
     __slots__ = ("soft_iron", "valid_flags")
@@ -2530,7 +2530,7 @@ class MagOffsetUncertainty(Data):
     and `filter.HardIronOffsetNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+    - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
     """
 
     __slots__ = ("hard_iron_uncertainty", "valid_flags")
@@ -2585,7 +2585,7 @@ class MagMatrixUncertainty(Data):
     and `filter.SoftIronMatrixNoise`. Probably supported by 3DM-CL5-25, 3DM-CV5-25, 3DM-CV5-45,
     3DM-CX5-25, 3DM-CX5-45, 3DM-GX5-25 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+    - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
     """
 
     __slots__ = ("soft_iron_uncertainty", "valid_flags")
@@ -2642,7 +2642,7 @@ class MagCovarianceMatrix(Data):
     Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+    - mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A)
     """
 
     __slots__ = ("covariance", "valid_flags")
@@ -2694,7 +2694,7 @@ class MagResidualVector(Data):
     Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+    - mip-sdk-4: Magnetometer residual vector (0x82,0x2C)
     """
 
     __slots__ = ("residual", "valid_flags")
@@ -2748,7 +2748,7 @@ class AntennaOffsetCorrection(Data):
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
-    - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+    - mip-sdk-4: Antenna offset correction (0x82,0x30)
     """
 
     __slots__ = ("offset", "valid_flags")
@@ -2801,7 +2801,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     Probably changed by `filter.EstimationControl`. Not listed in any device profile. Known only
     from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+    - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
     """
 
     __slots__ = ("offset_uncertainty", "valid_flags")
@@ -2854,7 +2854,7 @@ class ClockCorrection(Data):
     Flagged by `Cv7StatusFlags.GNSS_CLOCK_WARNING` of `Cv7StatusFlags`. Not listed in any device
     profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Clock Correction (0x82,0x32)
+    - mip-sdk-4: Clock correction (0x82,0x32)
     """
 
     __slots__ = ("receiver_id", "bias", "bias_drift", "valid_flags")
@@ -2918,7 +2918,7 @@ class ClockCorrectionUncertainty(Data):
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+    - mip-sdk-4: Clock correction uncertainty (0x82,0x33)
     """
 
     __slots__ = ("receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags")

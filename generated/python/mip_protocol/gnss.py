@@ -306,7 +306,7 @@ class RtkConfigResponse(Response):
     Also called `rtk_configuration_response`. Answers `RtkConfig`. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+    - mip-sdk-4: RTK configuration (0x0E,0x04)
     """
 
     __slots__ = ("ambiguity_fix_mode", "reserved")
@@ -354,7 +354,7 @@ class RtkDongleConfigResponse(Response):
     Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Probably supported
     by 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
 
     __slots__ = ("enable", "reserved")
@@ -767,7 +767,7 @@ class ReceiverReset(Command[None]):
 
     Only internal receivers can be reset. Some devices lack some of the reset types.
 
-    - mip-sdk-4: Receiver Reset (0x0E,0x03)
+    - mip-sdk-4: Receiver reset (0x0E,0x03)
     """
 
     __slots__ = ("receiver_id", "reset_type")
@@ -821,7 +821,7 @@ class RtkConfig(Command[R]):
 
     The available modes differ by device.
 
-    - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+    - mip-sdk-4: RTK configuration (0x0E,0x04)
     """
 
     __slots__ = ("function", "ambiguity_fix_mode", "reserved")
@@ -942,7 +942,7 @@ class RtkDongleConfig(Command[R]):
     `gnss_data.RtkCorrectionsStatus`. Probably supported by 3DM-GQ7-GNSS/INS. Refused by 3DM-GX3-25.
     Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
 
     __slots__ = ("function", "enable", "reserved")

@@ -608,7 +608,7 @@ class GnssMessageFormatResponse(Response):
     3DM-RQ1-45-ST. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX3-35, 3DM-GX3-45
     and 3DM-GX4-45.
 
-    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - mip-sdk-4: GNSS Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
@@ -860,8 +860,8 @@ class ImuSignalConditioningResponse(Response):
     Answers `ImuSignalConditioning`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and
     3DM-GX3-45. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
 
-    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
-    - mscl: IMU Signal Conditioning (0x0C,0x35)
+    - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
+    - mscl: IMU signal conditioning (0x0C,0x35)
     """
 
     __slots__ = (
@@ -1031,8 +1031,8 @@ class DataStreamFormatResponse(Response):
     Answers `DataStreamFormat`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of
     2014 and MicroStrain Communication Library.
 
-    - mip-sdk-2014: Data Stream Format (0x0C,0x60)
-    - mscl: Data Stream Format (0x0C,0x60)
+    - mip-sdk-2014: Data stream format (0x0C,0x60)
+    - mscl: Data stream format (0x0C,0x60)
     """
 
     __slots__ = ("stream", "format")
@@ -1076,8 +1076,8 @@ class DevicePowerStateResponse(Response):
     Answers `DevicePowerState`. Probably supported by 3DM-GX3-15, 3DM-GX3-25 and 3DM-GX3-35. Known
     only from the MIP SDK of 2014 and MicroStrain Communication Library.
 
-    - mip-sdk-2014: Device Power State (0x0C,0x61)
-    - mscl: Device Power State (0x0C,0x61)
+    - mip-sdk-2014: Device power state (0x0C,0x61)
+    - mscl: Device power state (0x0C,0x61)
     """
 
     __slots__ = ("device", "state")
@@ -3677,8 +3677,8 @@ class GpsDynamicsModeResponse(Response):
     Answers `GpsDynamicsMode`. Probably supported by 3DM-GX3-35. Known only from the MIP SDK of 2014
     and MicroStrain Communication Library.
 
-    - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
-    - mscl: GPS Dynamics Mode (0x0C,0x34)
+    - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
+    - mscl: GPS dynamics mode (0x0C,0x34)
     """
 
     __slots__ = ("mode",)
@@ -3718,7 +3718,7 @@ class ImuTimestampResponse(Response):
     Answers `ImuTimestamp`. Probably supported by 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35 and 3DM-GX3-45.
     Known only from the MIP SDK of 2014.
 
-    - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+    - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
 
     __slots__ = ("selector", "time")
@@ -4213,7 +4213,7 @@ class GnssAssistedFixResponse(Response):
     Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
     3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
 
     __slots__ = ("option", "flags")
@@ -4257,7 +4257,7 @@ class GnssTimeAssistanceResponse(Response):
     Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Probably supported by 3DM-CV5-45,
     3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
     """
 
     __slots__ = ("tow", "week_number", "accuracy")
@@ -5641,7 +5641,7 @@ class GnssMessageFormat(Command[R]):
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
-    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - mip-sdk-4: GNSS Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
@@ -6457,8 +6457,8 @@ class RawRtcm2_3Message(Command[None]):
     with several of these commands.
 
     - 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20)
-    - mip-sdk-2014: Raw RTCM 2.3 Message (0x0C,0x20)
-    - mscl: Raw RTCM 2.3 Message (0x0C,0x20)
+    - mip-sdk-2014: Raw RTCM 2.3 message (0x0C,0x20)
+    - mscl: Raw RTCM 2.3 message (0x0C,0x20)
     """
 
     __slots__ = ("data",)
@@ -6812,7 +6812,7 @@ class GnssAssistedFix(Command[R]):
     enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures.
     The power consumption is slightly higher.
 
-    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
 
     __slots__ = ("function", "option", "flags")
@@ -6943,7 +6943,7 @@ class GnssTimeAssistance(Command[R]):
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
-    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
     """
 
     __slots__ = ("function", "tow", "week_number", "accuracy")
@@ -8286,8 +8286,8 @@ class GpsDynamicsMode(Command[R]):
     3DM-GX3-35. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
     Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
 
-    - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
-    - mscl: GPS Dynamics Mode (0x0C,0x34)
+    - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
+    - mscl: GPS dynamics mode (0x0C,0x34)
     """
 
     __slots__ = ("function", "mode")
@@ -8411,8 +8411,8 @@ class ImuSignalConditioning(Command[R]):
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
 
-    - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
-    - mscl: IMU Signal Conditioning (0x0C,0x35)
+    - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
+    - mscl: IMU signal conditioning (0x0C,0x35)
     """
 
     __slots__ = (
@@ -8668,7 +8668,7 @@ class ImuTimestamp(Command[R]):
     Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only.
     Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
 
-    - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+    - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
 
     __slots__ = ("function", "selector", "time")
@@ -10756,8 +10756,8 @@ class DataStreamFormat(Command[R]):
     In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
     and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
 
-    - mip-sdk-2014: Data Stream Format (0x0C,0x60)
-    - mscl: Data Stream Format (0x0C,0x60)
+    - mip-sdk-2014: Data stream format (0x0C,0x60)
+    - mscl: Data stream format (0x0C,0x60)
     """
 
     __slots__ = ("function", "stream", "format")
@@ -10887,8 +10887,8 @@ class DevicePowerState(Command[R]):
     assumed. Uncertain: Whether `state` may be left out with functions other than write. The SDK of
     2014 sends `device` with every function, and a 0 in place of `state`.
 
-    - mip-sdk-2014: Device Power State (0x0C,0x61)
-    - mscl: Device Power State (0x0C,0x61)
+    - mip-sdk-2014: Device power state (0x0C,0x61)
+    - mscl: Device power state (0x0C,0x61)
     """
 
     __slots__ = ("function", "device", "state")
@@ -11011,8 +11011,8 @@ class GpsAdvancedSettings(Command[None]):
     In direct mode, your program configures the u-blox receiver with its own protocol; see
     `system.CommMode`.
 
-    - mip-sdk-2014: GPS Advanced Settings (0x0C,0x62)
-    - mscl: GPS Advanced Settings (0x0C,0x62)
+    - mip-sdk-2014: GPS advanced settings (0x0C,0x62)
+    - mscl: GPS advanced settings (0x0C,0x62)
     """
 
     __slots__ = ("function",)

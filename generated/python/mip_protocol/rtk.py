@@ -80,7 +80,7 @@ class GetStatusFlagsResponse(Response):
     Answers `GetStatusFlags`. Probably supported by 3DM-RTK. Known only from the MicroStrain MIP
     SDK.
 
-    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    - mip-sdk-4: Get status flags (0x0F,0x01)
     """
 
     __slots__ = ("flags",)
@@ -116,7 +116,7 @@ class GetImeiResponse(Response):
 
     Answers `GetImei`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Imei (0x0F,0x02)
+    - mip-sdk-4: Get IMEI (0x0F,0x02)
     """
 
     __slots__ = ("imei",)
@@ -150,7 +150,7 @@ class GetImsiResponse(Response):
 
     Answers `GetImsi`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Imsi (0x0F,0x03)
+    - mip-sdk-4: Get IMSI (0x0F,0x03)
     """
 
     __slots__ = ("imsi",)
@@ -184,7 +184,7 @@ class GetIccidResponse(Response):
 
     Answers `GetIccid`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Iccid (0x0F,0x04)
+    - mip-sdk-4: Get ICCID (0x0F,0x04)
     """
 
     __slots__ = ("iccid",)
@@ -222,7 +222,7 @@ class GetRssiResponse(Response):
     Answers `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies to
     the other values is inferred.
 
-    - mip-sdk-4: Get Rssi (0x0F,0x05)
+    - mip-sdk-4: Get RSSI (0x0F,0x05)
     """
 
     __slots__ = ("valid", "rssi", "signal_quality")
@@ -269,7 +269,7 @@ class ConnectedDeviceTypeResponse(Response):
 
     Answers `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    - mip-sdk-4: Connected device type (0x0F,0x06)
     """
 
     __slots__ = ("device_type",)
@@ -340,7 +340,7 @@ class GetModemFirmwareVersionResponse(Response):
 
     Answers `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+    - mip-sdk-4: Get modem firmware version (0x0F,0x08)
     """
 
     __slots__ = ("modem_firmware_version",)
@@ -382,7 +382,7 @@ class ServiceStatusResponse(Response):
     Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters
     count.
 
-    - mip-sdk-4: Service Status (0x0F,0x0A)
+    - mip-sdk-4: Service status (0x0F,0x0A)
     """
 
     __slots__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
@@ -444,7 +444,7 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 
-    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    - mip-sdk-4: Get status flags (0x0F,0x01)
     """
 
     __slots__ = ()
@@ -472,7 +472,7 @@ class GetImei(Command[GetImeiResponse]):
     Answered by `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Get Imei (0x0F,0x02)
+    - mip-sdk-4: Get IMEI (0x0F,0x02)
     """
 
     __slots__ = ()
@@ -500,7 +500,7 @@ class GetImsi(Command[GetImsiResponse]):
     Answered by `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Get Imsi (0x0F,0x03)
+    - mip-sdk-4: Get IMSI (0x0F,0x03)
     """
 
     __slots__ = ()
@@ -528,7 +528,7 @@ class GetIccid(Command[GetIccidResponse]):
     Answered by `GetIccidResponse`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Iccid (0x0F,0x04)
+    - mip-sdk-4: Get ICCID (0x0F,0x04)
     """
 
     __slots__ = ()
@@ -556,7 +556,7 @@ class GetRssi(Command[GetRssiResponse]):
     Answered by `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Get Rssi (0x0F,0x05)
+    - mip-sdk-4: Get RSSI (0x0F,0x05)
     """
 
     __slots__ = ()
@@ -590,7 +590,7 @@ class ConnectedDeviceType(Command[R]):
     `ConnectedDeviceTypeResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
-    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    - mip-sdk-4: Connected device type (0x0F,0x06)
     """
 
     __slots__ = ("function", "device_type")
@@ -716,7 +716,7 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     Answered by `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+    - mip-sdk-4: Get modem firmware version (0x0F,0x08)
     """
 
     __slots__ = ()
@@ -749,7 +749,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
 
     The modem sends it as a host would, and the server answers as a device would.
 
-    - mip-sdk-4: Service Status (0x0F,0x0A)
+    - mip-sdk-4: Service status (0x0F,0x0A)
     """
 
     __slots__ = ("reserved1", "reserved2")
@@ -843,7 +843,7 @@ class LedControl(Command[None]):
 
     Only in calibration mode or production test mode; otherwise it is refused.
 
-    - mip-sdk-4: Led Control (0x0F,0x21)
+    - mip-sdk-4: LED control (0x0F,0x21)
     """
 
     __slots__ = ("primary_color", "alternate_color", "action", "period")
@@ -911,7 +911,7 @@ class ModemHardReset(Command[None]):
 
     It wears out the flash memory; use it rarely. Accepted in calibration mode only.
 
-    - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
+    - mip-sdk-4: Modem hard reset (0x0F,0x22)
     """
 
     __slots__ = ()

@@ -60,8 +60,8 @@ class RawAccel(Data):
     Refused by 3DM-CV5-10, 3DM-GX5-15 and 3DM-GX5-45. Not listed in any device profile. Known only
     from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
-    - mip-sdk-4: Raw Accel (0x80,0x01)
-    - mip-sdk-2014: Raw Accel (0x80,0x01)
+    - mip-sdk-4: Raw accel (0x80,0x01)
+    - mip-sdk-2014: Raw accel (0x80,0x01)
     """
 
     __slots__ = ("raw_accel",)
@@ -104,8 +104,8 @@ class RawGyro(Data):
     Refused by 3DM-GX5-15. Not listed in any device profile. Known only from the MIP SDK of 2014 and
     MicroStrain MIP SDK.
 
-    - mip-sdk-4: Raw Gyro (0x80,0x02)
-    - mip-sdk-2014: Raw Gyro (0x80,0x02)
+    - mip-sdk-4: Raw gyro (0x80,0x02)
+    - mip-sdk-2014: Raw gyro (0x80,0x02)
     """
 
     __slots__ = ("raw_gyro",)
@@ -147,8 +147,8 @@ class RawMag(Data):
 
     Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
 
-    - mip-sdk-4: Raw Mag (0x80,0x03)
-    - mip-sdk-2014: Raw Mag (0x80,0x03)
+    - mip-sdk-4: Raw mag (0x80,0x03)
+    - mip-sdk-2014: Raw mag (0x80,0x03)
     """
 
     __slots__ = ("raw_mag",)
@@ -767,8 +767,8 @@ class InternalTimestamp(Data):
     profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices
     send it. The SDK of 2014 is for devices of the 3-series and 4-series.
 
-    - mip-sdk-4: Internal Timestamp (0x80,0x0E)
-    - mip-sdk-2014: Internal Timestamp (0x80,0x0E)
+    - mip-sdk-4: Internal timestamp (0x80,0x0E)
+    - mip-sdk-2014: Internal timestamp (0x80,0x0E)
     """
 
     __slots__ = ("counts",)
@@ -814,7 +814,7 @@ class PpsTimestamp(Data):
 
     The sources contradict each other. Only the SDK has this layout.
 
-    - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+    - mip-sdk-4: PPS timestamp (0x80,0x0F)
     """
 
     __slots__ = ("seconds", "useconds")
@@ -1162,7 +1162,7 @@ class RawPressure(Data):
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Raw Pressure (0x80,0x16)
+    - mip-sdk-4: Raw pressure (0x80,0x16)
     """
 
     __slots__ = ("raw_pressure",)

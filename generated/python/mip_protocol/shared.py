@@ -146,7 +146,7 @@ class DeltaTicks(Shared, Data):
 
     A tick takes as long as one period at the base rate of the device.
 
-    - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+    - mip-sdk-4: Delta ticks (0xFF,0xD2)
     """
 
     __slots__ = ("ticks",)

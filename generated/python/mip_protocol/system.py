@@ -56,7 +56,7 @@ class InterfaceControlResponse(Response):
 
     Answers `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
 
-    - mip-sdk-4: Interface Control (0x7F,0x02)
+    - mip-sdk-4: Interface control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
     """
 
@@ -175,7 +175,7 @@ class InterfaceControl(Command[R]):
     same port, even if the protocol is not an outgoing one. Devices differ in how many protocols
     they receive and send at a time.
 
-    - mip-sdk-4: Interface Control (0x7F,0x02)
+    - mip-sdk-4: Interface control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
     """
 

@@ -193,7 +193,7 @@ class GpioAnalogValue(Data):
 
     Only for pins that are configured as analog inputs.
 
-    - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+    - mip-sdk-4: GPIO analog value (0xA0,0x04)
     """
 
     __slots__ = ("gpio_id", "value")

@@ -33,16 +33,28 @@ def unknown_manual(word: str, known: Iterable[str]) -> str:
     return unknown("manual", word, known, "manuals/")
 
 
-def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
-    """The manual and the section that a source, an example or an erratum names."""
-    manual, section = node["manual"].value, node["section"].value
+def citation(
+    node: Node, manuals: Mapping[str, m.Manual], problem: Problem, heading: str | None = None
+) -> tuple[str, str]:
+    """The manual and the section that a source, an example or an erratum names. A source of a field may leave the
+    section out: it is the `heading`, the title with set and descriptor, in the letters of the manual."""
+    manual, section = node["manual"].value, node.scalar("section", heading)
     known = manuals.get(manual)
     if known is None:
         problem(node["manual"].position, unknown_manual(manual, manuals))
-    elif known.sections and section not in known.sections:
+    elif section is None:
+        problem(node.position, "'section' is missing; only a source of a field may leave it out")
+    elif "section" not in node:
+        section = next((s for s in known.sections if _plain(s) == _plain(section)), section)
+    if known and section and known.sections and section not in known.sections:
         near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
-        problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
-    return manual, section
+        problem((node.get("section") or node).position, f"'{manual}' lists no section '{section}'{near}")
+    return manual, section or ""
+
+
+def _plain(heading: str) -> str:
+    """A heading without what manuals write in several ways: "Ping (0x01, 0x01)"."""
+    return heading.casefold().replace(" ", "")
 
 
 #: Scalars that are no numbers.

@@ -328,7 +328,8 @@ class Families:
             named.append(
                 m.Named(
                     entry[roles[0]].value, roles[0], entry["name"].value, _title(entry),
-                    sources(entry, self.types.vocabulary, self.problems), entry.position,
+                    sources(entry, self.types.vocabulary, self.problems, heading=_heading(entry, _first(node))),
+                    entry.position,
                 )
             )  # fmt: skip
         return tuple(sorted(named, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
@@ -337,6 +338,12 @@ class Families:
 def _title(node: Node) -> str:
     """What it is called in headings: its name in words, if nothing else."""
     return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
+
+
+def _heading(node: Node, number: int) -> str:
+    """Under which most sources have a field: "Ping (0x01,0x01)"."""
+    descriptor = next((node[role].value for role in ROLES if role in node), 0)
+    return f"{_title(node)} (0x{number:02X},0x{descriptor:02X})"
 
 
 def _first(node: Node) -> int:
@@ -358,7 +365,7 @@ class _Places:
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
         """The sets of a field, with what it has of its own in each."""
-        title, cited = _title(node), sources(node, self.types.vocabulary, self.problems)
+        title, cited = _title(node), self.sources(node, node)
         own = node.get("in")
         if not self.several:
             for key in ("in", "only"):
@@ -385,6 +392,11 @@ class _Places:
             return self.first(title, cited, node)
         return occurrences
 
+    def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
+        """What states a field, or what it is in one set."""
+        heading = _heading(field, (s or self.sets[0]).number)
+        return sources(node, self.types.vocabulary, self.problems, heading=heading)
+
     def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
         """The only set, or as a substitute, to find further problems, the first of several."""
         s = self.sets[0]
@@ -396,13 +408,13 @@ class _Places:
         usual = self.common.get(s.name) or cited
         if own is None:
             return m.Occurrence(s.number, s.name, title, usual, position=node.position)
-        stated = sources(own, self.types.vocabulary, self.problems) or usual
+        stated = self.sources(own, node, s) or usual
         title = own.scalar("title", title)
         return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
 
     def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
         """What states the field itself; only if nothing does, what states all fields of a set."""
         own = node.get("in")
-        cited = list(sources(node, self.types.vocabulary, self.problems))
+        cited = list(self.sources(node, node))
         cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]
         return tuple(dict.fromkeys(cited or [s for o in occurrences for s in o.sources]))

@@ -43,11 +43,13 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
     return str(entry.value)
 
 
-def sources(node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources") -> tuple[m.Source, ...]:
-    """The `sources` of a node."""
+def sources(
+    node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources", heading: str | None = None
+) -> tuple[m.Source, ...]:
+    """The `sources` of a node; those of a field may leave out the section if it is this heading."""
     cited = []
     for entry in node.get(key) or ():
-        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
+        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add, heading)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)
         cited.append(m.Source(manual, section, printed, place))

@@ -1029,7 +1029,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
  * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
  * rate.
  *
- * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format {
@@ -1121,7 +1121,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
  * Answers mip_3dm_gnss_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format_response {
@@ -2218,8 +2218,8 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode_
  * A message may be split at any byte and sent with several of these commands.
  *
  * - 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20)
- * - mip-sdk-2014: Raw RTCM 2.3 Message (0x0C,0x20)
- * - mscl: Raw RTCM 2.3 Message (0x0C,0x20)
+ * - mip-sdk-2014: Raw RTCM 2.3 message (0x0C,0x20)
+ * - mscl: Raw RTCM 2.3 message (0x0C,0x20)
  */
 struct mip_3dm_raw_rtcm_2_3_message {
     /** The number of elements of data. */
@@ -2594,7 +2594,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  *
  * The power consumption is slightly higher.
  *
- * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
     /**
@@ -2689,7 +2689,7 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
  * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP
  * SDK.
  *
- * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix_response {
     /**
@@ -2762,7 +2762,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_in
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
- * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance {
     /**
@@ -2832,7 +2832,7 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
  * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the MicroStrain
  * MIP SDK.
  *
- * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance_response {
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
@@ -4596,8 +4596,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encod
  * Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
  * 3DM-GX3-35 only.
  *
- * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
- * - mscl: GPS Dynamics Mode (0x0C,0x34)
+ * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
+ * - mscl: GPS dynamics mode (0x0C,0x34)
  */
 struct mip_3dm_gps_dynamics_mode {
     /**
@@ -4679,8 +4679,8 @@ mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
  * No device is certain to support it. Answers mip_3dm_gps_dynamics_mode. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library.
  *
- * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
- * - mscl: GPS Dynamics Mode (0x0C,0x34)
+ * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
+ * - mscl: GPS dynamics mode (0x0C,0x34)
  */
 struct mip_3dm_gps_dynamics_mode_response {
     /** Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. */
@@ -4754,8 +4754,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode_in
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
  * width.
  *
- * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
- * - mscl: IMU Signal Conditioning (0x0C,0x35)
+ * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
+ * - mscl: IMU signal conditioning (0x0C,0x35)
  */
 struct mip_3dm_imu_signal_conditioning {
     /**
@@ -4888,8 +4888,8 @@ mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *
  * No device is certain to support it. Answers mip_3dm_imu_signal_conditioning. Known only from the
  * MIP SDK of 2014 and MicroStrain Communication Library.
  *
- * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
- * - mscl: IMU Signal Conditioning (0x0C,0x35)
+ * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
+ * - mscl: IMU signal conditioning (0x0C,0x35)
  */
 struct mip_3dm_imu_signal_conditioning_response {
     /**
@@ -4990,7 +4990,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
  * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
  * needs `time` and ignores it, or leaves it out, as is assumed.
  *
- * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+ * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
 struct mip_3dm_imu_timestamp {
     /**
@@ -5061,7 +5061,7 @@ static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
  * No device is certain to support it. Answers mip_3dm_imu_timestamp. Known only from the MIP SDK of
  * 2014.
  *
- * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
+ * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
 struct mip_3dm_imu_timestamp_response {
     /** Which counter. A value of enum mip_3dm_imu_timestamp_selector. */
@@ -7751,8 +7751,8 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode_inli
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
  *
- * - mip-sdk-2014: Data Stream Format (0x0C,0x60)
- * - mscl: Data Stream Format (0x0C,0x60)
+ * - mip-sdk-2014: Data stream format (0x0C,0x60)
+ * - mscl: Data stream format (0x0C,0x60)
  */
 struct mip_3dm_data_stream_format {
     /**
@@ -7871,8 +7871,8 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_defa
  * No device is certain to support it. Answers mip_3dm_data_stream_format. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library.
  *
- * - mip-sdk-2014: Data Stream Format (0x0C,0x60)
- * - mscl: Data Stream Format (0x0C,0x60)
+ * - mip-sdk-2014: Data stream format (0x0C,0x60)
+ * - mscl: Data stream format (0x0C,0x60)
  */
 struct mip_3dm_data_stream_format_response {
     /** The stream. A value of enum mip_3dm_internal_sensor. */
@@ -7945,8 +7945,8 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode_i
  * functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in place
  * of `state`.
  *
- * - mip-sdk-2014: Device Power State (0x0C,0x61)
- * - mscl: Device Power State (0x0C,0x61)
+ * - mip-sdk-2014: Device power state (0x0C,0x61)
+ * - mscl: Device power state (0x0C,0x61)
  */
 struct mip_3dm_device_power_state {
     /**
@@ -8053,8 +8053,8 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_defa
  * No device is certain to support it. Answers mip_3dm_device_power_state. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library.
  *
- * - mip-sdk-2014: Device Power State (0x0C,0x61)
- * - mscl: Device Power State (0x0C,0x61)
+ * - mip-sdk-2014: Device power state (0x0C,0x61)
+ * - mscl: Device power state (0x0C,0x61)
  */
 struct mip_3dm_device_power_state_response {
     /** The sensor. A value of enum mip_3dm_internal_sensor. */
@@ -8126,8 +8126,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode_i
  * In direct mode, your program configures the u-blox receiver with its own protocol; see
  * mip_system_comm_mode.
  *
- * - mip-sdk-2014: GPS Advanced Settings (0x0C,0x62)
- * - mscl: GPS Advanced Settings (0x0C,0x62)
+ * - mip-sdk-2014: GPS advanced settings (0x0C,0x62)
+ * - mscl: GPS advanced settings (0x0C,0x62)
  */
 struct mip_3dm_gps_advanced_settings {
     /** What to do with the setting. A value of enum mip_function_selector. */

@@ -27,7 +27,7 @@ extern "C" {
  *
  * Not listed in any device profile. Known only from the MicroStrain Communication Library.
  *
- * - mscl: Raw Displacement (0x90,0x01)
+ * - mscl: Raw displacement (0x90,0x01)
  */
 struct mip_displacement_data_displacement_raw {
     /** Displacement in counts. Unit: 1. */

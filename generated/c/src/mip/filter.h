@@ -683,7 +683,7 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
  * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
  * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
     /**
@@ -772,7 +772,7 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
  * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode_response {
     /** Kind of vehicle. A value of enum mip_filter_dynamics_mode. */
@@ -1017,7 +1017,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_euler_response_
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
- * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset {
     /**
@@ -1104,7 +1104,7 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
  * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset_response {
     /**
@@ -1678,7 +1678,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode_inlin
  *
  * The highest rate depends on the device.
  *
- * - mip-sdk-4: External Gnss Update (0x0D,0x16)
+ * - mip-sdk-4: External GNSS update (0x0D,0x16)
  */
 struct mip_filter_external_gnss_update {
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
@@ -3378,7 +3378,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  * Refused while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
- * - mip-sdk-4: Tare Orientation (0x0D,0x21)
+ * - mip-sdk-4: Tare orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
     /**
@@ -3462,7 +3462,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
  * neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
- * - mip-sdk-4: Tare Orientation (0x0D,0x21)
+ * - mip-sdk-4: Tare orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation_response {
     /** Axes that are tared. */
@@ -4046,7 +4046,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode_inl
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
  * changes of height.
  *
- * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
     /**
@@ -4129,7 +4129,7 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
  * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise_response {
     /** Standard deviation. Unit: m. Range: greater than 0. */
@@ -4195,7 +4195,7 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
  * mip_filter_data_mag_offset_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
  * MIP SDK.
  *
- * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
     /**
@@ -4282,7 +4282,7 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
  * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise_response {
     /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. */
@@ -4352,7 +4352,7 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
  * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
  * MIP SDK.
  *
- * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
     /**
@@ -4439,7 +4439,7 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
  * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise_response {
     /**
@@ -5724,7 +5724,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
  *
  * Weather and location shift the pressure altitude, sometimes by more than 40 m.
  *
- * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
     /**
@@ -5809,7 +5809,7 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
  * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
  * SDK.
  *
- * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding_response {
     /** Source of the aiding. A value of enum mip_filter_altitude_aiding_source. */
@@ -7007,7 +7007,7 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
  * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
  * gives the values in remarks.
  *
- * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
     /**
@@ -7113,7 +7113,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
  *
  * Answers mip_filter_kinematic_constraint. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint_response {
     /**
@@ -8211,7 +8211,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
- * - mip-sdk-4: Speed Measurement (0x0D,0x60)
+ * - mip-sdk-4: Speed measurement (0x0D,0x60)
  */
 struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */

@@ -2668,7 +2668,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode_inline(
  *
  * It is valid only with a valid GNSS position.
  *
- * - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+ * - mip-sdk-4: Standard atmosphere (0x82,0x20)
  */
 struct mip_filter_data_standard_atmosphere {
     /**
@@ -2833,7 +2833,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inl
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
  * gives the name only; the description is the usual meaning of the term.
  *
- * - mip-sdk-4: Density Altitude (0x82,0x22)
+ * - mip-sdk-4: Density altitude (0x82,0x22)
  */
 struct mip_filter_data_density_altitude {
     /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
@@ -2903,7 +2903,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode_inli
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
- * - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+ * - mip-sdk-4: Magnetometer offset (0x82,0x25)
  */
 struct mip_filter_data_mag_offset {
     /**
@@ -2979,7 +2979,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode_inline(
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
  *
- * - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+ * - mip-sdk-4: Magnetometer matrix (0x82,0x26)
  */
 struct mip_filter_data_mag_matrix {
     /**
@@ -3053,7 +3053,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  * No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
  * from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+ * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
 struct mip_filter_data_mag_offset_uncertainty {
     /**
@@ -3128,7 +3128,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encod
  * No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
  * from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+ * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */
 struct mip_filter_data_mag_matrix_uncertainty {
     /**
@@ -3204,7 +3204,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encod
  * Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
  * the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+ * - mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A)
  */
 struct mip_filter_data_mag_covariance_matrix {
     /**
@@ -3280,7 +3280,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode
  * Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+ * - mip-sdk-4: Magnetometer residual vector (0x82,0x2C)
  */
 struct mip_filter_data_mag_residual_vector {
     /**
@@ -3356,7 +3356,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode_i
  *
  * The filter adds it to the stored offset of mip_filter_antenna_offset.
  *
- * - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+ * - mip-sdk-4: Antenna offset correction (0x82,0x30)
  */
 struct mip_filter_data_antenna_offset_correction {
     /**
@@ -3432,7 +3432,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+ * - mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31)
  */
 struct mip_filter_data_antenna_offset_uncertainty {
     /**
@@ -3507,7 +3507,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_uncertainty_e
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Clock Correction (0x82,0x32)
+ * - mip-sdk-4: Clock correction (0x82,0x32)
  */
 struct mip_filter_data_clock_correction {
     /** Receiver, counted from 1. Range: at least 1. */
@@ -3587,7 +3587,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode_inli
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+ * - mip-sdk-4: Clock correction uncertainty (0x82,0x33)
  */
 struct mip_filter_data_clock_correction_uncertainty {
     /** Receiver, counted from 1. Range: at least 1. */

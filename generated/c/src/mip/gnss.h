@@ -418,7 +418,7 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode_inlin
  *
  * Some devices lack some of the reset types.
  *
- * - mip-sdk-4: Receiver Reset (0x0E,0x03)
+ * - mip-sdk-4: Receiver reset (0x0E,0x03)
  */
 struct mip_gnss_receiver_reset {
     /** Receiver to reset. A value of enum mip_gnss_receiver_id. */
@@ -504,7 +504,7 @@ static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
  *
  * The available modes differ by device.
  *
- * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+ * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
 struct mip_gnss_rtk_config {
     /**
@@ -592,7 +592,7 @@ mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
  * Also called `rtk_configuration_response`. Answers mip_gnss_rtk_config. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
+ * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
 struct mip_gnss_rtk_config_response {
     /** How readily ambiguities are fixed. A value of enum mip_gnss_ambiguity_fix_mode. */
@@ -660,7 +660,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode_inline(
  * read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Probably changes
  * mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
     /**
@@ -744,7 +744,7 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
  * No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
  * mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config_response {
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */

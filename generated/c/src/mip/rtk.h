@@ -88,7 +88,7 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
  *
  * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
- * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
 struct mip_rtk_get_status_flags {
     /** Not used: there are no parameters. */
@@ -123,7 +123,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
  * No device is certain to support it. Answers mip_rtk_get_status_flags. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
 struct mip_rtk_get_status_flags_response {
     /** State of the modem and of the corrections. */
@@ -187,7 +187,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode_inl
  * Answered by mip_rtk_get_imei_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Imei (0x0F,0x02)
+ * - mip-sdk-4: Get IMEI (0x0F,0x02)
  */
 struct mip_rtk_get_imei {
     /** Not used: there are no parameters. */
@@ -221,7 +221,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk
  *
  * Answers mip_rtk_get_imei. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Imei (0x0F,0x02)
+ * - mip-sdk-4: Get IMEI (0x0F,0x02)
  */
 struct mip_rtk_get_imei_response {
     /** International mobile equipment identity. */
@@ -285,7 +285,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode_inline(
  * Answered by mip_rtk_get_imsi_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Imsi (0x0F,0x03)
+ * - mip-sdk-4: Get IMSI (0x0F,0x03)
  */
 struct mip_rtk_get_imsi {
     /** Not used: there are no parameters. */
@@ -319,7 +319,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk
  *
  * Answers mip_rtk_get_imsi. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Imsi (0x0F,0x03)
+ * - mip-sdk-4: Get IMSI (0x0F,0x03)
  */
 struct mip_rtk_get_imsi_response {
     /** International mobile subscriber identity. */
@@ -383,7 +383,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode_inline(
  * Answered by mip_rtk_get_iccid_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Iccid (0x0F,0x04)
+ * - mip-sdk-4: Get ICCID (0x0F,0x04)
  */
 struct mip_rtk_get_iccid {
     /** Not used: there are no parameters. */
@@ -417,7 +417,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rt
  *
  * Answers mip_rtk_get_iccid. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Iccid (0x0F,0x04)
+ * - mip-sdk-4: Get ICCID (0x0F,0x04)
  */
 struct mip_rtk_get_iccid_response {
     /** Number of the SIM card. */
@@ -481,7 +481,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode_inline(
  * Answered by mip_rtk_get_rssi_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Rssi (0x0F,0x05)
+ * - mip-sdk-4: Get RSSI (0x0F,0x05)
  */
 struct mip_rtk_get_rssi {
     /** Not used: there are no parameters. */
@@ -516,7 +516,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk
  * Answers mip_rtk_get_rssi. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
  * applies to the other values is inferred.
  *
- * - mip-sdk-4: Get Rssi (0x0F,0x05)
+ * - mip-sdk-4: Get RSSI (0x0F,0x05)
  */
 struct mip_rtk_get_rssi_response {
     /** Whether the modem is connected. */
@@ -588,7 +588,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode_inline(
  * mip_rtk_connected_device_type_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Connected Device Type (0x0F,0x06)
+ * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type {
     /**
@@ -670,7 +670,7 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
  *
  * Answers mip_rtk_connected_device_type. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Connected Device Type (0x0F,0x06)
+ * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type_response {
     /** Type of the device. A value of enum mip_rtk_connected_device. */
@@ -834,7 +834,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode_
  * Answered by mip_rtk_get_modem_firmware_version_response. Not listed in any device profile. Known
  * only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+ * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
  */
 struct mip_rtk_get_modem_firmware_version {
     /** Not used: there are no parameters. */
@@ -869,7 +869,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
  *
  * Answers mip_rtk_get_modem_firmware_version. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+ * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
  */
 struct mip_rtk_get_modem_firmware_version_response {
     /** Firmware version. */
@@ -936,7 +936,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
  *
  * The modem sends it as a host would, and the server answers as a device would.
  *
- * - mip-sdk-4: Service Status (0x0F,0x0A)
+ * - mip-sdk-4: Service status (0x0F,0x0A)
  */
 struct mip_rtk_service_status {
     /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
@@ -1003,7 +1003,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode_inline(
  * Answers mip_rtk_service_status. Known only from the MicroStrain MIP SDK. Uncertain: What the
  * counters count.
  *
- * - mip-sdk-4: Service Status (0x0F,0x0A)
+ * - mip-sdk-4: Service status (0x0F,0x0A)
  */
 struct mip_rtk_service_status_response {
     /** State of the service. */
@@ -1158,7 +1158,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
  *
  * Only in calibration mode or production test mode; otherwise it is refused.
  *
- * - mip-sdk-4: Led Control (0x0F,0x21)
+ * - mip-sdk-4: LED control (0x0F,0x21)
  */
 struct mip_rtk_led_control {
     /** First colour. Uncertain: The order of its parts; red, green, blue is likely. */
@@ -1254,7 +1254,7 @@ static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
  *
  * Accepted in calibration mode only.
  *
- * - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
+ * - mip-sdk-4: Modem hard reset (0x0F,0x22)
  */
 struct mip_rtk_modem_hard_reset {
     /** Not used: there are no parameters. */

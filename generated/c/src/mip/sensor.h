@@ -56,8 +56,8 @@ typedef uint16_t mip_sensor_odometer_flags;
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Raw Accel (0x80,0x01)
- * - mip-sdk-2014: Raw Accel (0x80,0x01)
+ * - mip-sdk-4: Raw accel (0x80,0x01)
+ * - mip-sdk-2014: Raw accel (0x80,0x01)
  */
 struct mip_sensor_raw_accel {
     /** Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
@@ -123,8 +123,8 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_accel_encode_inline(
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Raw Gyro (0x80,0x02)
- * - mip-sdk-2014: Raw Gyro (0x80,0x02)
+ * - mip-sdk-4: Raw gyro (0x80,0x02)
+ * - mip-sdk-2014: Raw gyro (0x80,0x02)
  */
 struct mip_sensor_raw_gyro {
     /** Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
@@ -190,8 +190,8 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_gyro_encode_inline(
  *
  * Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Raw Mag (0x80,0x03)
- * - mip-sdk-2014: Raw Mag (0x80,0x03)
+ * - mip-sdk-4: Raw mag (0x80,0x03)
+ * - mip-sdk-2014: Raw mag (0x80,0x03)
  */
 struct mip_sensor_raw_mag {
     /**
@@ -993,8 +993,8 @@ MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encod
  * profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: Which devices
  * send it. The SDK of 2014 is for devices of the 3-series and 4-series.
  *
- * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
- * - mip-sdk-2014: Internal Timestamp (0x80,0x0E)
+ * - mip-sdk-4: Internal timestamp (0x80,0x0E)
+ * - mip-sdk-2014: Internal timestamp (0x80,0x0E)
  */
 struct mip_sensor_internal_timestamp {
     /** Counter: 62 500 counts per second, 16 us each. Unit: 1. */
@@ -1062,7 +1062,7 @@ MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode_inline(
  *
  * The sources contradict each other. Only the SDK has this layout.
  *
- * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+ * - mip-sdk-4: PPS timestamp (0x80,0x0F)
  */
 struct mip_sensor_pps_timestamp {
     /** Whole seconds. Unit: s. Uncertain: The unit; it follows from the name. */
@@ -1526,7 +1526,7 @@ MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode_inl
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Raw Pressure (0x80,0x16)
+ * - mip-sdk-4: Raw pressure (0x80,0x16)
  */
 struct mip_sensor_raw_pressure {
     /** Pressure in counts. Unit: 1. */

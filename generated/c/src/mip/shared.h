@@ -179,7 +179,7 @@ mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value, struct mip_
  *
  * A tick takes as long as one period at the base rate of the device.
  *
- * - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+ * - mip-sdk-4: Delta ticks (0xFF,0xD2)
  */
 struct mip_shared_delta_ticks {
     /** Ticks. Unit: 1. */

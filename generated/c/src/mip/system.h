@@ -71,7 +71,7 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Devices differ in how many protocols they receive and send at a time.
  *
- * - mip-sdk-4: Interface Control (0x7F,0x02)
+ * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control {
@@ -189,7 +189,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
  *
  * Answers mip_system_interface_control. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Interface Control (0x7F,0x02)
+ * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control_response {

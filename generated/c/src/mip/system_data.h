@@ -260,7 +260,7 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode_inline(
  *
  * Only for pins that are configured as analog inputs.
  *
- * - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+ * - mip-sdk-4: GPIO analog value (0xA0,0x04)
  */
 struct mip_system_data_gpio_analog_value {
     /** GPIO pin, counted from 1. Range: at least 1. */

@@ -16,7 +16,7 @@ record! {
     ///
     /// Not listed in any device profile. Known only from the MicroStrain Communication Library.
     ///
-    /// Source: mscl: Raw Displacement (0x90,0x01).
+    /// Source: mscl: Raw displacement (0x90,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DisplacementRaw {
         /// Displacement in counts.

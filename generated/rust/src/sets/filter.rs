@@ -583,7 +583,7 @@ record! {
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// Refused by [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
     pub struct VehicleDynamicsMode {
         /// What to do with the setting.
@@ -746,7 +746,7 @@ record! {
     ///
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
-    /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy)]
     pub struct SensorToVehicleOffset {
         /// What to do with the setting.
@@ -1052,7 +1052,7 @@ record! {
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
     ///
-    /// Source: mip-sdk-4: External Gnss Update (0x0D,0x16).
+    /// Source: mip-sdk-4: External GNSS update (0x0D,0x16).
     #[derive(Default)]
     pub struct ExternalGnssUpdate {
         /// GPS time of week.
@@ -1909,7 +1909,7 @@ record! {
     ///
     /// - Refused while the filter has no valid attitude.
     ///
-    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
+    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
     #[derive(Copy, Eq, Hash)]
     pub struct TareOrientation {
@@ -2266,7 +2266,7 @@ record! {
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
     ///   appear as changes of height.
     ///
-    /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy)]
     pub struct PressureAltitudeNoise {
         /// What to do with the setting.
@@ -2327,7 +2327,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy)]
     pub struct HardIronOffsetNoise {
         /// What to do with the setting.
@@ -2389,7 +2389,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy)]
     pub struct SoftIronMatrixNoise {
         /// What to do with the setting.
@@ -3024,7 +3024,7 @@ record! {
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
     ///
-    /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
     #[derive(Copy, Eq, Hash)]
     pub struct AltitudeAiding {
         /// What to do with the setting.
@@ -3522,7 +3522,7 @@ record! {
     /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
     /// values. The SDK has plain numbers and gives the values in remarks.
     ///
-    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
     pub struct KinematicConstraint {
         /// What to do with the setting.
@@ -4025,7 +4025,7 @@ record! {
     /// - It must not be used together with the odometer of the device.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
-    /// Source: mip-sdk-4: Speed Measurement (0x0D,0x60).
+    /// Source: mip-sdk-4: Speed measurement (0x0D,0x60).
     #[derive(Copy)]
     pub struct SpeedMeasurement {
         /// Send 1.
@@ -4348,7 +4348,7 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct VehicleDynamicsModeResponse {
         /// Kind of vehicle.
@@ -4410,7 +4410,7 @@ record! {
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleOffsetResponse {
         /// From the sensor to the origin of the vehicle frame.
@@ -4859,7 +4859,7 @@ record! {
     /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-45](crate::devices::CX5_45) and
     /// [3DM-GX5-25](crate::devices::GX5_25). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy, Default)]
     pub struct PressureAltitudeNoiseResponse {
         /// Standard deviation.
@@ -4884,7 +4884,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy, Default)]
     pub struct HardIronOffsetNoiseResponse {
         /// Standard deviation per axis.
@@ -4909,7 +4909,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy, Default)]
     pub struct SoftIronMatrixNoiseResponse {
         /// Standard deviation per element.
@@ -4939,7 +4939,7 @@ record! {
     /// Uncertain: Which devices send it. The SDK reads the setting back; the manuals of the
     /// 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
     ///
-    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
+    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct TareOrientationResponse {
@@ -5203,7 +5203,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-25](crate::devices::GX5_25). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct AltitudeAidingResponse {
         /// Source of the aiding.
@@ -5366,7 +5366,7 @@ record! {
     ///
     /// Answers [`KinematicConstraint`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct KinematicConstraintResponse {
         /// Assumption about the acceleration.

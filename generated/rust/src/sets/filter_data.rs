@@ -1802,7 +1802,7 @@ record! {
     ///
     /// - It is valid only with a valid GNSS position.
     ///
-    /// Source: mip-sdk-4: Standard Atmosphere (0x82,0x20).
+    /// Source: mip-sdk-4: Standard atmosphere (0x82,0x20).
     #[derive(Copy, Default)]
     pub struct StandardAtmosphere {
         /// Altitude used in the model.
@@ -1883,7 +1883,7 @@ record! {
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
     /// SDK gives the name only; the description is the usual meaning of the term.
     ///
-    /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
+    /// Source: mip-sdk-4: Density altitude (0x82,0x22).
     #[derive(Copy, Default)]
     pub struct DensityAltitude {
         /// Altitude.
@@ -1919,7 +1919,7 @@ record! {
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
     ///
-    /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
+    /// Source: mip-sdk-4: Magnetometer offset (0x82,0x25).
     #[derive(Copy, Default)]
     pub struct MagOffset {
         /// Hard iron offset.
@@ -1956,7 +1956,7 @@ record! {
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
-    /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
+    /// Source: mip-sdk-4: Magnetometer matrix (0x82,0x26).
     #[derive(Copy, Default)]
     pub struct MagMatrix {
         /// Soft iron matrix in row-major order.
@@ -1987,7 +1987,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
+    /// Source: mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
     pub struct MagOffsetUncertainty {
         /// Standard deviation per axis.
@@ -2018,7 +2018,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
+    /// Source: mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
     pub struct MagMatrixUncertainty {
         /// Standard deviation per element.
@@ -2044,7 +2044,7 @@ record! {
     /// Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
+    /// Source: mip-sdk-4: Magnetometer covariance matrix (0x82,0x2A).
     #[derive(Copy, Default)]
     pub struct MagCovarianceMatrix {
         /// Covariance matrix in row-major order.
@@ -2071,7 +2071,7 @@ record! {
     /// Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
+    /// Source: mip-sdk-4: Magnetometer residual vector (0x82,0x2C).
     #[derive(Copy, Default)]
     pub struct MagResidualVector {
         /// Residual.
@@ -2103,7 +2103,7 @@ record! {
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
     ///
-    /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
+    /// Source: mip-sdk-4: Antenna offset correction (0x82,0x30).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrection {
         /// Correction of the offset.
@@ -2129,7 +2129,7 @@ record! {
     /// Probably changed by [`filter::EstimationControl`](crate::filter::EstimationControl). Not
     /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
+    /// Source: mip-sdk-4: Antenna offset correction uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrectionUncertainty {
         /// Standard deviation per axis.
@@ -2155,7 +2155,7 @@ record! {
     /// Flagged by [`gnss_clock_warning`](Cv7StatusFlags::gnss_clock_warning) of [`Cv7StatusFlags`].
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
+    /// Source: mip-sdk-4: Clock correction (0x82,0x32).
     #[derive(Copy, Default)]
     pub struct ClockCorrection {
         /// Receiver, counted from 1.
@@ -2187,7 +2187,7 @@ record! {
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
+    /// Source: mip-sdk-4: Clock correction uncertainty (0x82,0x33).
     #[derive(Copy, Default)]
     pub struct ClockCorrectionUncertainty {
         /// Receiver, counted from 1.

@@ -294,7 +294,7 @@ record! {
     /// - Only internal receivers can be reset.
     /// - Some devices lack some of the reset types.
     ///
-    /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
+    /// Source: mip-sdk-4: Receiver reset (0x0E,0x03).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverReset {
         /// Receiver to reset.
@@ -337,7 +337,7 @@ record! {
     ///
     /// - The available modes differ by device.
     ///
-    /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
+    /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
     #[derive(Copy, Eq, Hash)]
     pub struct RtkConfig {
         /// What to do with the setting.
@@ -398,7 +398,7 @@ record! {
     /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by
     /// [3DM-GX3-25](crate::devices::GX3_25). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
     pub struct RtkDongleConfig {
         /// What to do with the setting.
@@ -620,7 +620,7 @@ record! {
     /// Also called `rtk_configuration_response`. Answers [`RtkConfig`]. Known only from the
     /// MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
+    /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkConfigResponse {
         /// How readily ambiguities are fixed.
@@ -643,7 +643,7 @@ record! {
     /// supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Known only from the MicroStrain MIP
     /// SDK.
     ///
-    /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkDongleConfigResponse {
         /// 1 enables the dongle, 0 disables it.

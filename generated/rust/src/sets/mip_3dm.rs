@@ -886,7 +886,7 @@ record! {
     /// - The decimation is the base rate, as [`GetGnssBaseRate`] reports it, divided by the desired
     ///   rate.
     ///
-    /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// Source: mip-sdk-4: GNSS Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
     #[derive(Eq, Hash)]
     pub struct GnssMessageFormat {
@@ -1483,7 +1483,7 @@ record! {
     /// - A message may be split at any byte and sent with several of these commands.
     ///
     /// Source: 3dm-gx5-45: 4.2.26 Raw RTCM 2.3 Message (0x0C, 0x20); mip-sdk-2014: Raw RTCM 2.3
-    /// Message (0x0C,0x20); mscl: Raw RTCM 2.3 Message (0x0C,0x20).
+    /// message (0x0C,0x20); mscl: Raw RTCM 2.3 message (0x0C,0x20).
     #[derive(Default, Eq, Hash)]
     pub struct RawRtcm2_3Message {
         /// Bytes of the RTCM stream.
@@ -1699,7 +1699,7 @@ record! {
     ///   100 000 erasures.
     /// - The power consumption is slightly higher.
     ///
-    /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFix {
         /// What to do with the setting.
@@ -1764,7 +1764,7 @@ record! {
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
-    /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
     #[derive(Copy)]
     pub struct GnssTimeAssistance {
         /// What to do with the setting.
@@ -2667,7 +2667,7 @@ record! {
     /// Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in its
     /// example for the 3DM-GX3-35 only.
     ///
-    /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
+    /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
     pub struct GpsDynamicsMode {
         /// What to do with the setting.
@@ -2739,7 +2739,7 @@ record! {
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
     ///
-    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
+    /// Source: mip-sdk-2014: IMU signal conditioning (0x0C,0x35); mscl: IMU signal conditioning
     /// (0x0C,0x35).
     #[derive(Copy, Eq, Hash)]
     pub struct ImuSignalConditioning {
@@ -2843,7 +2843,7 @@ record! {
     /// example for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or
     /// leaves it out, as is assumed.
     ///
-    /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
+    /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
     pub struct ImuTimestamp {
         /// What to do with the setting.
@@ -4210,7 +4210,7 @@ record! {
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
     ///   receiver.
     ///
-    /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60); mscl: Data Stream Format (0x0C,0x60).
+    /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Eq, Hash)]
     pub struct DataStreamFormat {
         /// What to do with the setting.
@@ -4272,7 +4272,7 @@ record! {
     /// Whether `state` may be left out with functions other than write. The SDK of 2014 sends
     /// `device` with every function, and a 0 in place of `state`.
     ///
-    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
+    /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
     pub struct DevicePowerState {
         /// What to do with the setting.
@@ -4335,7 +4335,7 @@ record! {
     /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
     ///   [`system::CommMode`](crate::system::CommMode).
     ///
-    /// Source: mip-sdk-2014: GPS Advanced Settings (0x0C,0x62); mscl: GPS Advanced Settings
+    /// Source: mip-sdk-2014: GPS advanced settings (0x0C,0x62); mscl: GPS advanced settings
     /// (0x0C,0x62).
     #[derive(Copy, Eq, Hash)]
     pub struct GpsAdvancedSettings {
@@ -4526,7 +4526,7 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
-    /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// Source: mip-sdk-4: GNSS Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
     #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
@@ -4743,7 +4743,7 @@ record! {
     /// [3DM-GX3-35](crate::devices::GX3_35) and [3DM-GX3-45](crate::devices::GX3_45). Known only
     /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
-    /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
+    /// Source: mip-sdk-2014: IMU signal conditioning (0x0C,0x35); mscl: IMU signal conditioning
     /// (0x0C,0x35).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuSignalConditioningResponse {
@@ -4825,7 +4825,7 @@ record! {
     /// Answers [`DataStreamFormat`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
     /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
-    /// Source: mip-sdk-2014: Data Stream Format (0x0C,0x60); mscl: Data Stream Format (0x0C,0x60).
+    /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamFormatResponse {
         /// The stream.
@@ -4848,7 +4848,7 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25) and [3DM-GX3-35](crate::devices::GX3_35). Known only
     /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
-    /// Source: mip-sdk-2014: Device Power State (0x0C,0x61); mscl: Device Power State (0x0C,0x61).
+    /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DevicePowerStateResponse {
         /// The sensor.
@@ -6161,7 +6161,7 @@ record! {
     /// Answers [`GpsDynamicsMode`]. Probably supported by [3DM-GX3-35](crate::devices::GX3_35).
     /// Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
-    /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34); mscl: GPS Dynamics Mode (0x0C,0x34).
+    /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsDynamicsModeResponse {
         /// Assumed dynamics.
@@ -6182,7 +6182,7 @@ record! {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35) and
     /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MIP SDK of 2014.
     ///
-    /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
+    /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuTimestampResponse {
         /// Which counter.
@@ -6517,7 +6517,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
         /// Assisted fix.
@@ -6553,7 +6553,7 @@ record! {
     /// [3DM-CX5-45](crate::devices::CX5_45) and [3DM-GX5-45](crate::devices::GX5_45). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
     #[derive(Copy, Default)]
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.

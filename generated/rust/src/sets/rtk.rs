@@ -74,7 +74,7 @@ record! {
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
     ///
-    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
+    /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetStatusFlags;
 }
@@ -104,7 +104,7 @@ record! {
     /// Answered by [`GetImeiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
+    /// Source: mip-sdk-4: Get IMEI (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImei;
 }
@@ -134,7 +134,7 @@ record! {
     /// Answered by [`GetImsiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
+    /// Source: mip-sdk-4: Get IMSI (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImsi;
 }
@@ -164,7 +164,7 @@ record! {
     /// Answered by [`GetIccidResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
+    /// Source: mip-sdk-4: Get ICCID (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetIccid;
 }
@@ -194,7 +194,7 @@ record! {
     /// Answered by [`GetRssiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
+    /// Source: mip-sdk-4: Get RSSI (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetRssi;
 }
@@ -226,7 +226,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`].
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
     pub struct ConnectedDeviceType {
         /// What to do with the setting.
@@ -309,7 +309,7 @@ record! {
     /// Answered by [`GetModemFirmwareVersionResponse`]. Not listed in any device profile. Known
     /// only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
+    /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersion;
 }
@@ -341,7 +341,7 @@ record! {
     ///
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
-    /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
+    /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ServiceStatus {
         /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
@@ -412,7 +412,7 @@ record! {
     ///
     /// - Only in calibration mode or production test mode; otherwise it is refused.
     ///
-    /// Source: mip-sdk-4: Led Control (0x0F,0x21).
+    /// Source: mip-sdk-4: LED control (0x0F,0x21).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct LedControl {
         /// First colour.
@@ -463,7 +463,7 @@ record! {
     /// - It wears out the flash memory; use it rarely.
     /// - Accepted in calibration mode only.
     ///
-    /// Source: mip-sdk-4: Modem Hard Reset (0x0F,0x22).
+    /// Source: mip-sdk-4: Modem hard reset (0x0F,0x22).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ModemHardReset;
 }
@@ -490,7 +490,7 @@ record! {
     /// Answers [`GetStatusFlags`]. Probably supported by [3DM-RTK](crate::devices::RTK). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
+    /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetStatusFlagsResponse {
         /// State of the modem and of the corrections.
@@ -509,7 +509,7 @@ record! {
     ///
     /// Answers [`GetImei`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
+    /// Source: mip-sdk-4: Get IMEI (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImeiResponse {
         /// International mobile equipment identity.
@@ -528,7 +528,7 @@ record! {
     ///
     /// Answers [`GetImsi`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
+    /// Source: mip-sdk-4: Get IMSI (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImsiResponse {
         /// International mobile subscriber identity.
@@ -547,7 +547,7 @@ record! {
     ///
     /// Answers [`GetIccid`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
+    /// Source: mip-sdk-4: Get ICCID (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetIccidResponse {
         /// Number of the SIM card.
@@ -567,7 +567,7 @@ record! {
     /// Answers [`GetRssi`]. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
     /// applies to the other values is inferred.
     ///
-    /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
+    /// Source: mip-sdk-4: Get RSSI (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetRssiResponse {
         /// Whether the modem is connected.
@@ -594,7 +594,7 @@ record! {
     ///
     /// Answers [`ConnectedDeviceType`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ConnectedDeviceTypeResponse {
         /// Type of the device.
@@ -633,7 +633,7 @@ record! {
     ///
     /// Answers [`GetModemFirmwareVersion`]. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
+    /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersionResponse {
         /// Firmware version.
@@ -655,7 +655,7 @@ record! {
     /// Answers [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
     /// counters count.
     ///
-    /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
+    /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ServiceStatusResponse {
         /// State of the service.

@@ -63,7 +63,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45). Not listed in any device profile. Known only from the
     /// MIP SDK of 2014 and MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Raw Accel (0x80,0x01); mip-sdk-2014: Raw Accel (0x80,0x01).
+    /// Source: mip-sdk-4: Raw accel (0x80,0x01); mip-sdk-2014: Raw accel (0x80,0x01).
     #[derive(Copy, Default)]
     pub struct RawAccel {
         /// Acceleration in counts.
@@ -86,7 +86,7 @@ record! {
     /// Refused by [3DM-GX5-15](crate::devices::GX5_15). Not listed in any device profile. Known
     /// only from the MIP SDK of 2014 and MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Raw Gyro (0x80,0x02); mip-sdk-2014: Raw Gyro (0x80,0x02).
+    /// Source: mip-sdk-4: Raw gyro (0x80,0x02); mip-sdk-2014: Raw gyro (0x80,0x02).
     #[derive(Copy, Default)]
     pub struct RawGyro {
         /// Angular rate in counts.
@@ -109,7 +109,7 @@ record! {
     /// Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP
     /// SDK.
     ///
-    /// Source: mip-sdk-4: Raw Mag (0x80,0x03); mip-sdk-2014: Raw Mag (0x80,0x03).
+    /// Source: mip-sdk-4: Raw mag (0x80,0x03); mip-sdk-2014: Raw mag (0x80,0x03).
     #[derive(Copy, Default)]
     pub struct RawMag {
         /// Magnetic field in counts.
@@ -643,7 +643,7 @@ record! {
     /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain:
     /// Which devices send it. The SDK of 2014 is for devices of the 3-series and 4-series.
     ///
-    /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E); mip-sdk-2014: Internal Timestamp
+    /// Source: mip-sdk-4: Internal timestamp (0x80,0x0E); mip-sdk-2014: Internal timestamp
     /// (0x80,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
@@ -672,7 +672,7 @@ record! {
     ///
     /// - The sources contradict each other. Only the SDK has this layout.
     ///
-    /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
+    /// Source: mip-sdk-4: PPS timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct PpsTimestamp {
@@ -917,7 +917,7 @@ record! {
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
+    /// Source: mip-sdk-4: Raw pressure (0x80,0x16).
     #[derive(Copy, Default)]
     pub struct RawPressure {
         /// Pressure in counts.

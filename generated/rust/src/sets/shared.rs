@@ -104,7 +104,7 @@ record! {
     ///
     /// - A tick takes as long as one period at the base rate of the device.
     ///
-    /// Source: mip-sdk-4: Delta Ticks (0xFF,0xD2).
+    /// Source: mip-sdk-4: Delta ticks (0xFF,0xD2).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeltaTicks {
         /// Ticks.

@@ -62,7 +62,7 @@ record! {
     ///   outgoing one.
     /// - Devices differ in how many protocols they receive and send at a time.
     ///
-    /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    /// Source: mip-sdk-4: Interface control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Eq, Hash)]
     pub struct InterfaceControl {
         /// What to do with the setting.
@@ -198,7 +198,7 @@ record! {
     ///
     /// Answers [`InterfaceControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    /// Source: mip-sdk-4: Interface control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct InterfaceControlResponse {
         /// The port.

@@ -172,7 +172,7 @@ record! {
     ///
     /// - Only for pins that are configured as analog inputs.
     ///
-    /// Source: mip-sdk-4: Gpio Analog Value (0xA0,0x04).
+    /// Source: mip-sdk-4: GPIO analog value (0xA0,0x04).
     #[derive(Copy, Default)]
     pub struct GpioAnalogValue {
         /// GPIO pin, counted from 1.
