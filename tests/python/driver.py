@@ -299,7 +299,11 @@ class Session:
         if not 1 <= step["set"] <= 255 or not step["fields"]:
             raise ValueError("neither a set nor a command")
         try:
-            commands = [self.command(step["set"], f) for f in step["fields"]]
+            commands = []
+            trial = PacketBuilder(step["set"])  # of several mistakes the first one is told
+            for f in step["fields"]:
+                commands.append(self.command(step["set"], f))
+                trial.add(commands[-1].DESCRIPTOR, commands[-1].encode())
             packet = self.client.send(*commands, now=self.now / 1000)
         except EncodeError as error:
             self.happens("not_sent", error=error.kind)

@@ -38,8 +38,10 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
     )
     with TemporaryDirectory() as there:
         with tarfile.open(fileobj=io.BytesIO(archive)) as files:
-            # Pythons before 3.11.4 may not have the filter; Git made the archive, just now.
-            files.extractall(there, **({"filter": "data"} if hasattr(tarfile, "data_filter") else {}))
+            if hasattr(tarfile, "data_filter"):
+                files.extractall(there, filter="data")
+            else:  # as in Python 3.11.2; Git has just made the archive
+                files.extractall(there)
         yield Path(there)
 
 
