@@ -12856,6 +12856,16 @@ enums:
     3:
       id: filter
       doc: Estimation filter data (0x82).
+  mip_3dm_gx4_system_state:
+    1:
+      id: init
+      doc: The system starts.
+    2:
+      id: sensor_startup
+      doc: The sensors start.
+    3:
+      id: running
+      doc: The system runs.
   filter_dynamics_mode:
     1:
       id: portable

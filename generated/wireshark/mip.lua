@@ -268,6 +268,7 @@ E["3dm.stream_format"] = { [1] = "standard", [2] = "wrapped_raw", }
 E["3dm.sensor_power_state"] = { [1] = "on", [2] = "low_power", [3] = "sleep", [4] = "off", }
 E["3dm.device_status_selector"] = { [1] = "basic", [2] = "diagnostic", }
 E["3dm.legacy_data_stream"] = { [0] = "all_streams", [1] = "imu", [2] = "gnss", [3] = "filter", }
+E["3dm.gx4_system_state"] = { [1] = "init", [2] = "sensor_startup", [3] = "running", }
 E["filter.dynamics_mode"] = { [1] = "portable", [2] = "automotive", [3] = "airborne", [4] = "airborne_high_g", }
 F["filter.estimated_states"] = {
   { name = "gyro_bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Estimate the gyroscope bias (recommended)." },
@@ -1517,7 +1518,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "re
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx4_system_state.", readings = { {device = "3dm-gx4-45", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-st", enum = E["3dm.gx4_system_state"] }, } },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic Device Status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",

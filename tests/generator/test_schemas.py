@@ -17,6 +17,7 @@ from typing import Any
 import jsonschema
 import pytest
 import referencing
+import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
 from mipgen.read.loader import ACCEPTED, LAYOUT, WITNESSES, _schema
@@ -184,6 +185,30 @@ def test_a_file_names_its_schema(kind: str, path: Path) -> None:
 
 def test_every_kind_has_files() -> None:
     assert {kind for kind, _ in FILES} == {*LAYOUT, *WITNESSES}
+
+
+#: A parameter that has one of these is written with a line for each key, any other between braces.
+PROSE = {"uncertain", "notes", "varies", "sources", "cases", "in"}
+
+
+def test_parameters_are_written_in_one_style() -> None:
+    """By what a parameter has to say, not by how long it is; one with a mapping of its own may have a line for each."""
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    seen, wrong = 0, []
+    for path in sorted((ROOT / "spec/sets").glob("*.yaml")):
+        waiting = [yaml.compose(path.read_text("utf-8"), loader)]
+        while waiting:
+            node = waiting.pop()
+            pairs = node.value if isinstance(node, yaml.MappingNode) else ()
+            waiting += node.value if isinstance(node, yaml.SequenceNode) else [value for _, value in pairs]
+            for p in (p for key, value in pairs if key.value == "parameters" for p in value.value):
+                if isinstance(p, yaml.MappingNode) and not any(key.value == "include" for key, _ in p.value):
+                    seen += 1
+                    braces = {key.value for key, _ in p.value}.isdisjoint(PROSE)
+                    nested = any(isinstance(v, yaml.MappingNode) and not v.flow_style for _, v in p.value)
+                    if bool(p.flow_style) != braces and not nested:
+                        wrong.append(f"{path.name}:{p.start_mark.line + 1}")
+    assert seen > 500 and not wrong, wrong
 
 
 def accept() -> None:

@@ -3011,6 +3011,7 @@ GX4_45 = Device(
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
         "filter_data.status.filter_state": filter_data.Gx5FilterState,
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
@@ -3642,6 +3643,7 @@ RQ1_45_LT = Device(
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
@@ -3716,6 +3718,7 @@ RQ1_45_ST = Device(
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
         "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
@@ -3755,6 +3758,13 @@ RTK = Device(
         ),
     ),
     base_rates={},
+    notes={
+        "versions": Note(
+            "Versions",
+            "Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to MSCL. Their status words in `rtk.get_status_flags` differ.",
+            (),
+        )
+    },
     readings={"base.built_in_test_response.result": types.Cv7BuiltInTest},
     incomplete=("No manual is known.",),
     generation=7,

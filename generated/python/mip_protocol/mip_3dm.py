@@ -550,6 +550,20 @@ class LegacyDataStream(codec.OpenEnum):
     """Estimation filter data (0x82)."""
 
 
+class Gx4SystemState(codec.OpenEnum):
+    """State of the system in the device status of the 3DM-GX4-45 and the 3DM-RQ1-45.
+
+    - mip-sdk-2014: Device Status (0x0C,0x64)
+    """
+
+    INIT = 1
+    """The system starts."""
+    SENSOR_STARTUP = 2
+    """The sensors start."""
+    RUNNING = 3
+    """The system runs."""
+
+
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
@@ -1413,7 +1427,10 @@ class DeviceStatusBasicResponse(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented."""
+    """State of the system; its values are not documented.
+
+    - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
+    """
     system_timer: int
     """Time since start-up. Unit: ms."""
 

@@ -418,6 +418,22 @@ enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
+/**
+ * State of the system in the device status of the 3DM-GX4-45 and the 3DM-RQ1-45.
+ *
+ * - mip-sdk-2014: Device Status (0x0C,0x64)
+ */
+enum mip_3dm_gx4_system_state MIP_ENUM_16 {
+    /** The system starts. */
+    MIP_3DM_GX4_SYSTEM_STATE_INIT = 1,
+    /** The sensors start. */
+    MIP_3DM_GX4_SYSTEM_STATE_SENSOR_STARTUP = 2,
+    /** The system runs. */
+    MIP_3DM_GX4_SYSTEM_STATE_RUNNING = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
 
 /**
  * Poll IMU Data: command (0x0C,0x01).
@@ -8324,7 +8340,10 @@ struct mip_3dm_device_status_basic_response {
     uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
-    /** State of the system; its values are not documented. */
+    /**
+     * State of the system; its values are not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: values of enum mip_3dm_gx4_system_state.
+     */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;

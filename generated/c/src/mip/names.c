@@ -935,6 +935,21 @@ const char *mip_3dm_legacy_data_stream_name(uint8_t value) {
     return mip_value_name(&mip_names_3dm_legacy_data_stream, value);
 }
 
+static const char name_3dm_gx4_system_state[] = "3dm.gx4_system_state";
+static const char labels_3dm_gx4_system_state[] = "init\0"
+                                                  "sensor_startup\0"
+                                                  "running";
+static const uint16_t numbers_3dm_gx4_system_state[] = {1, 2, 3};
+const struct mip_names mip_names_3dm_gx4_system_state = {name_3dm_gx4_system_state,
+                                                         labels_3dm_gx4_system_state,
+                                                         numbers_3dm_gx4_system_state,
+                                                         NULL,
+                                                         3,
+                                                         2};
+const char *mip_3dm_gx4_system_state_name(uint16_t value) {
+    return mip_value_name(&mip_names_3dm_gx4_system_state, value);
+}
+
 static const char name_filter_dynamics_mode[] = "filter.dynamics_mode";
 static const char labels_filter_dynamics_mode[] = "portable\0"
                                                   "automotive\0"
@@ -2695,6 +2710,7 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_3dm_sensor_power_state,
     &mip_names_3dm_device_status_selector,
     &mip_names_3dm_legacy_data_stream,
+    &mip_names_3dm_gx4_system_state,
     &mip_names_filter_dynamics_mode,
     &mip_names_filter_estimated_states,
     &mip_names_filter_gnss_aiding_source,

@@ -118,6 +118,8 @@ extern MIP_API const struct mip_names mip_names_3dm_sensor_power_state;
 extern MIP_API const struct mip_names mip_names_3dm_device_status_selector;
 /** 3dm.legacy_data_stream */
 extern MIP_API const struct mip_names mip_names_3dm_legacy_data_stream;
+/** 3dm.gx4_system_state */
+extern MIP_API const struct mip_names mip_names_3dm_gx4_system_state;
 /** filter.dynamics_mode */
 extern MIP_API const struct mip_names mip_names_filter_dynamics_mode;
 /** filter.estimated_states */

@@ -4141,6 +4141,7 @@ static const struct mip_profile_note gx4_45_notes[] = {
 static const struct mip_profile_reading gx4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
@@ -4161,7 +4162,7 @@ const struct mip_profile mip_profile_gx4_45 = {
     0,    /* ports */
     0,    /* limits */
     2,    /* notes */
-    5,    /* readings */
+    6,    /* readings */
     0,    /* acknowledge codes */
     NULL,
     gx4_45_incomplete,
@@ -4955,6 +4956,7 @@ static const struct mip_profile_note rq1_45_lt_notes[] = {
 static const struct mip_profile_reading rq1_45_lt_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
 };
 
 const struct mip_profile mip_profile_rq1_45_lt = {
@@ -4972,7 +4974,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     0,    /* ports */
     0,    /* limits */
     3,    /* notes */
-    2,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
@@ -5057,6 +5059,7 @@ static const struct mip_profile_note rq1_45_st_notes[] = {
 static const struct mip_profile_reading rq1_45_st_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
 };
 
 const struct mip_profile mip_profile_rq1_45_st = {
@@ -5074,7 +5077,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     0,    /* ports */
     0,    /* limits */
     3,    /* notes */
-    2,    /* readings */
+    3,    /* readings */
     0,    /* acknowledge codes */
     rq1_45_st_also,
     rq1_45_st_incomplete,
@@ -5108,6 +5111,13 @@ static const struct mip_profile_field rtk_fields[] = {
     {0x0F, 0x07, "", &rtk_evidence[0]},      {0x7F, 0x10, "WRSLD", &rtk_evidence[0]},
 };
 
+static const struct mip_profile_note rtk_notes[] = {
+    {"versions", "Versions",
+     "Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to "
+     "MSCL. Their status words in `rtk.get_status_flags` differ.",
+     NULL, 0, 0},
+};
+
 static const struct mip_profile_reading rtk_readings[] = {
     {"base.built_in_test_response.result", "cv7_built_in_test"},
 };
@@ -5126,7 +5136,7 @@ const struct mip_profile mip_profile_rtk = {
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
-    0,    /* notes */
+    1,    /* notes */
     1,    /* readings */
     0,    /* acknowledge codes */
     NULL,
@@ -5136,7 +5146,7 @@ const struct mip_profile mip_profile_rtk = {
     NULL,
     NULL,
     NULL,
-    NULL,
+    rtk_notes,
     rtk_readings,
     NULL,
 };

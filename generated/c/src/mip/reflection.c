@@ -1708,6 +1708,11 @@ static const struct mip_record record_3dm_message_format_response = {
     sizeof(struct mip_3dm_message_format_response),
 };
 
+static const struct mip_reading readings_3dm_device_status_basic_response_system_state[] = {
+    {"3dm-gx4-45", 0, 0, &mip_names_3dm_gx4_system_state},
+    {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_gx4_system_state},
+    {"3dm-rq1-45-st", 0, 0, &mip_names_3dm_gx4_system_state},
+};
 static const struct mip_parameter parameters_3dm_device_status_basic_response[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_basic_response, model_number), 0, NULL, NULL, NULL, NULL, 0},
@@ -1716,7 +1721,8 @@ static const struct mip_parameter parameters_3dm_device_status_basic_response[] 
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_basic_response, status_flags), 0, NULL, NULL, NULL, NULL, 0},
     {"system_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_response, system_state), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_response, system_state), 0, NULL,
+     readings_3dm_device_status_basic_response_system_state, NULL, NULL, 3},
     {"system_timer", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_basic_response, system_timer), 0, NULL, NULL, NULL, NULL, 0},
 };

@@ -55,6 +55,7 @@ TYPES: dict[str, Info] = {
     "SensorPowerState": EnumInfo("3dm.sensor_power_state", mip_3dm.SensorPowerState),
     "DeviceStatusSelector": EnumInfo("3dm.device_status_selector", mip_3dm.DeviceStatusSelector),
     "LegacyDataStream": EnumInfo("3dm.legacy_data_stream", mip_3dm.LegacyDataStream),
+    "Gx4SystemState": EnumInfo("3dm.gx4_system_state", mip_3dm.Gx4SystemState),
     "PollImuData": FieldInfo(
         "3dm.poll_imu_data", mip_3dm.PollImuData, devices=("3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
@@ -594,7 +595,7 @@ TYPES: dict[str, Info] = {
             Parameter("model_number", "model_number", "scalar", scalar="u16"),
             Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
             Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
-            Parameter("system_state", "system_state", "scalar", scalar="u16"),
+            Parameter("system_state", "system_state", "scalar", scalar="u16", variants=(Variant("device", ("3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"type": mip_3dm.Gx4SystemState}),)),
             Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
         ),
     ),

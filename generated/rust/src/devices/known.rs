@@ -6682,6 +6682,11 @@ pub static GX4_45: Profile = Profile {
             difference: "values of legacy_data_stream",
         },
         Variant {
+            parameter: "3dm.device_status_basic_response.system_state",
+            read_as: Some("gx4_system_state"),
+            difference: "values of gx4_system_state",
+        },
+        Variant {
             parameter: "filter.estimation_control.flags",
             read_as: None,
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
@@ -8053,6 +8058,11 @@ pub static RQ1_45_LT: Profile = Profile {
             difference: "values of legacy_data_stream",
         },
         Variant {
+            parameter: "3dm.device_status_basic_response.system_state",
+            read_as: Some("gx4_system_state"),
+            difference: "values of gx4_system_state",
+        },
+        Variant {
             parameter: "filter.estimation_control.flags",
             read_as: None,
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
@@ -8219,6 +8229,11 @@ pub static RQ1_45_ST: Profile = Profile {
             difference: "values of legacy_data_stream",
         },
         Variant {
+            parameter: "3dm.device_status_basic_response.system_state",
+            read_as: Some("gx4_system_state"),
+            difference: "values of gx4_system_state",
+        },
+        Variant {
             parameter: "filter.estimation_control.flags",
             read_as: None,
             difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
@@ -8255,6 +8270,11 @@ const RTK_1: &Evidence =
 /// known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Versions
+///
+/// Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to MSCL.
+/// Their status words in [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags) differ.
 #[rustfmt::skip]
 pub static RTK: Profile = Profile {
     id: "3dm-rtk",

@@ -471,6 +471,20 @@ open_enum! {
     }
 }
 
+open_enum! {
+    /// State of the system in the device status of the 3DM-GX4-45 and the 3DM-RQ1-45.
+    ///
+    /// Source: mip-sdk-2014: Device Status (0x0C,0x64).
+    Gx4SystemState: u16 {
+        /// The system starts.
+        INIT = 1, "init";
+        /// The sensors start.
+        SENSOR_STARTUP = 2, "sensor_startup";
+        /// The system runs.
+        RUNNING = 3, "running";
+    }
+}
+
 record! {
     /// Poll IMU Data (0x0C,0x01).
     ///
@@ -5076,6 +5090,9 @@ record! {
         /// Reserved.
         pub status_flags: u32,
         /// State of the system; its values are not documented.
+        ///
+        /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT)
+        /// and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5088,6 +5105,19 @@ record! {
         [status_flags]
         [system_state]
         [system_timer]
+    }
+}
+
+#[rustfmt::skip]
+impl DeviceStatusBasicResponse {
+    /// Reads `system_state` as [`Gx4SystemState`].
+    ///
+    /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
+    #[inline]
+    #[must_use]
+    pub fn system_state_as_gx4_system_state(&self) -> Gx4SystemState {
+        self.system_state.into()
     }
 }
 
