@@ -161,8 +161,8 @@ docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
 
 .PHONY: bench
-bench: tools $(VENV)/all.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
-	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)
+bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PEER=FOLDER compares with the vendor's SDK
+	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme) $(if $(PEER),--peer $(PEER))
 
 .PHONY: conformance-driver
 conformance-driver: $(VENV)/generator.stamp ## build a driver and print its command: make -s conformance-driver TARGET=c

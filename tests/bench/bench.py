@@ -7,6 +7,7 @@ code that is written by hand: bench_c.py, bench_rust.py.
 
 from __future__ import annotations
 
+import argparse
 import os
 import shutil
 import statistics
@@ -16,6 +17,7 @@ import sys
 from pathlib import Path
 
 import bench_c
+import bench_c_peer
 import bench_rust
 
 ROOT = Path(__file__).parents[2]
@@ -73,7 +75,17 @@ def programs() -> dict[str, list[str]]:
 
 
 def main() -> None:
-    if sys.argv[1:] == ["--readme"]:
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("--readme", action="store_true")
+    arguments.add_argument("--peer", type=Path, help="a folder of the vendor's SDK: this comparison only")
+    given = arguments.parse_args()
+    if given.peer:
+        text = bench_c_peer.report(given.peer)
+        print(text)
+        if given.readme:
+            (ROOT / "spec/programs/bench_c_peer.md").write_text(text, "utf-8")
+        return
+    if given.readme:
         bench_c.write_readme()
         bench_rust.write_readme()
         return

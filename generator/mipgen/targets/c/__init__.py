@@ -35,6 +35,7 @@ def files(model: m.Model) -> Iterator[File]:
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
+    shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 

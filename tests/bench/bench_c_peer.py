@@ -1,0 +1,103 @@
+"""C beside the vendor's SDK, as it recommends itself: the same streams and the same three programs of a firmware.
+
+Nothing of the SDK is here: `make bench PEER=FOLDER` names a folder of it. peer/ has what is measured, ours and theirs.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import bench_c
+import streams
+from bench_c import ARM, BUILD, HERE, OUTSIDE, SIZE, SOURCES, Row, instructions, library, measure, run
+from mipgen.resolve.load import load_model
+
+#: Title, stream, our function, that of peer/speed.c.
+ROWS = (
+    ("parse, in pieces of 4 KiB", "log", "ours_parse", "peer_parse"),
+    ("the same, packets in random order", "shuffled", "ours_parse", "peer_parse"),
+    ("parse, in pieces of 64 bytes", "log", "ours_small", "peer_small"),
+    ("the same, packets in random order", "shuffled", "ours_small", "peer_small"),
+    ("parse, decode every known field", "log", "ours_table", "peer_all"),
+    ("parse, decode three wanted fields", "log", "ours_three", "peer_three"),
+    ("the same, packets in random order", "shuffled", "ours_three", "peer_three"),
+    ("skip NMEA sentences", "text", "ours_parse", "peer_parse"),
+    ("skip random bytes", "noise", "ours_parse", "peer_parse"),
+)
+PROGRAMS = (
+    ("core", "parser, walk and builder"),
+    ("fields", "parser and three fields"),
+    ("app", "three fields, ping, message format, stream"),
+)
+#: What the programs need of the hardware, in no code of theirs or ours.
+HARDWARE = ("rx", "rx_size", "tx", "port_read", "port_write", "port_now", "port_receive", "port_send")
+
+
+def version(sdk: Path) -> str:
+    found = re.search(r'VERSION "([\d.]+)"', (sdk / "CMakeLists.txt").read_text("utf-8"))
+    if found is None or not (sdk / "src/c/mip").is_dir():
+        raise SystemExit(f"bench: {sdk} is no folder of the vendor's MIP SDK 4; name one: make bench PEER=FOLDER")
+    return found[1]
+
+
+def _sources(sdk: Path, *folders: str) -> list[str]:
+    return [str(p) for folder in folders for p in sorted((sdk / "src/c" / folder).glob("*.c"))]
+
+
+def speed(sdk: Path) -> list[Row]:
+    model = load_model(bench_c.ROOT / "spec")
+    packets = streams.log(model, SIZE)
+    contents = {"log": packets, "shuffled": streams.shuffled(packets), "text": streams.text(SIZE)}
+    contents["noise"] = streams.noise(SIZE)
+    for name, content in contents.items():
+        (BUILD / f"{name}.bin").write_bytes(content)
+    ours, theirs = BUILD / "speed", BUILD / "speed-peer"
+    flags = ["-std=gnu11", "-O2", "-w", "-DNDEBUG", f"-I{HERE}"]
+    run("cc", *flags, f"-I{SOURCES}", HERE / "speed.c", HERE / "plain.c", *library(), "-o", ours)
+    run("cc", *flags, f"-I{sdk}/src/c", HERE / "peer/speed.c", *_sources(sdk, "mip", "mip/definitions", "microstrain"),
+        "-o", theirs)  # fmt: skip
+    rows = []
+    for title, stream, own, peer in ROWS:
+        path = BUILD / f"{stream}.bin"
+        times = measure(path, {own: ours, peer: theirs})
+        counts = [instructions(program, path, f) for program, f in ((ours, own), (theirs, peer))]
+        rows.append([
+            title, f"{times[peer] / times[own]:.1f}", *(f"{c:.2f}" if c is not None else "?" for c in counts)
+        ])  # fmt: skip
+    return rows
+
+
+def _size(program: str, include: str, sources: list[str]) -> tuple[int, int]:
+    """Code and constants, and RAM, on a Cortex-M4, without the C library."""
+    flags = [flag for flag in ARM if not flag.startswith("-std") and flag != "-ffreestanding"]
+    link = ["-nostdlib", "-lgcc", "-Wl,--gc-sections", "-Wl,-e,main"]
+    link += [f"-Wl,--defsym={name}=0" for name in (*OUTSIDE, *HARDWARE)]
+    elf = BUILD / f"{program}.elf"
+    run("arm-none-eabi-gcc", "-std=c11", "-w", "-DNDEBUG", "-DMICROSTRAIN_TIMESTAMP_TYPE=uint32_t", *flags, include,
+        HERE / f"peer/{program}.c", *sources, *link, "-o", elf)  # fmt: skip
+    code, data, bss = map(int, run("arm-none-eabi-size", elf).splitlines()[1].split()[:3])
+    return code + data, data + bss
+
+
+def sizes(sdk: Path) -> list[Row]:
+    theirs = _sources(sdk, "mip", "mip/definitions", "microstrain")
+    rows = []
+    for name, title in PROGRAMS:
+        own = _size(f"ours_{name}", f"-I{SOURCES}", library())
+        peer = _size(f"peer_{name}", f"-I{sdk}/src/c", theirs)
+        rows.append([title, f"{own[0] / peer[0]:.2f}", f"{own[0]} B", f"{peer[0]} B"])
+    rows.append(["the same, in RAM", f"{own[1] / peer[1]:.2f}", f"{own[1]} B", f"{peer[1]} B"])
+    return rows
+
+
+def report(sdk: Path) -> str:
+    """As Markdown."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    name = f"MIP SDK {version(sdk)}"
+    out = f"Beside the vendor's {name} in C, both as their documentation recommends (`make bench PEER=FOLDER`).\n"
+    out += "The ratio is how many times as fast this library is; both find the same number of packets and fields.\n\n"
+    heads = ["Speed", "Ratio", "Instructions for each byte", name]
+    out += bench_c.table(heads, speed(sdk))
+    out += "\nWhole programs of a firmware, `-Os`, for a Cortex-M4, without the C library.\n\n"
+    return out + bench_c.table(["Size", "Ratio", "Code and constants", name], sizes(sdk))

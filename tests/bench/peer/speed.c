@@ -1,0 +1,174 @@
+/* speed FILE FUNCTION ROUNDS: as ../speed.c, with the vendor's SDK as its documentation and its examples use it: a
+ * parser that calls back for each packet, extractors, and the dispatcher for a few wanted fields. */
+#include "mip/definitions/data_filter.h"
+#include "mip/definitions/data_sensor.h"
+#include "mip/mip_dispatch.h"
+#include "mip/mip_field.h"
+#include "mip/mip_parser.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static size_t count;
+
+static void use(const void *value) {
+    __asm__ volatile("" : : "r"(value) : "memory");
+}
+
+static bool on_packet(void *user, const mip_packet_view *packet, mip_timestamp time) {
+    (void)user, (void)time;
+    use(packet);
+    count++;
+    return true;
+}
+
+#define CASE(descriptor, name)                                                 \
+    case MIP_DATA_DESC_##descriptor: {                                         \
+        mip_##name##_data value;                                               \
+        const bool good = extract_mip_##name##_data_from_field(field, &value); \
+        use(&value);                                                           \
+        return good;                                                           \
+    }
+
+static bool sensor(const mip_field_view *field) {
+    switch (mip_field_field_descriptor(field)) {
+        CASE(SENSOR_ACCEL_SCALED, sensor_scaled_accel)
+        CASE(SENSOR_GYRO_SCALED, sensor_scaled_gyro)
+        CASE(SENSOR_DELTA_THETA, sensor_delta_theta)
+        CASE(SENSOR_DELTA_VELOCITY, sensor_delta_velocity)
+        CASE(SENSOR_TIME_STAMP_GPS, sensor_gps_timestamp)
+    default:
+        return false;
+    }
+}
+
+static bool filter(const mip_field_view *field) {
+    switch (mip_field_field_descriptor(field)) {
+        CASE(FILTER_FILTER_TIMESTAMP, filter_timestamp)
+        CASE(FILTER_ATT_QUATERNION, filter_attitude_quaternion)
+        CASE(FILTER_POS_LLH, filter_position_llh)
+        CASE(FILTER_VEL_NED, filter_velocity_ned)
+        CASE(FILTER_LINEAR_ACCELERATION, filter_linear_accel)
+        CASE(FILTER_COMPENSATED_ANGULAR_RATE, filter_comp_angular_rate)
+        CASE(FILTER_FILTER_STATUS, filter_status)
+    default:
+        return false;
+    }
+}
+
+static bool on_all(void *user, const mip_packet_view *packet, mip_timestamp time) {
+    (void)user, (void)time;
+    const uint8_t set = mip_packet_descriptor_set(packet);
+    mip_field_view field;
+    mip_field_init_empty(&field);
+    while (mip_field_next_in_packet(&field, packet)) {
+        count += set == MIP_SENSOR_DATA_DESC_SET ? sensor(&field) : set == MIP_FILTER_DATA_DESC_SET && filter(&field);
+    }
+    return true;
+}
+
+static mip_dispatcher dispatcher;
+
+static bool on_three(void *user, const mip_packet_view *packet, mip_timestamp time) {
+    (void)user;
+    mip_dispatcher_dispatch_packet(&dispatcher, packet, time);
+    return true;
+}
+
+#define EXTRACTOR(name)                                                       \
+    static mip_##name##_data name;                                            \
+    static bool take_##name(const mip_field_view *field, void *value) {       \
+        const bool good = extract_mip_##name##_data_from_field(field, value); \
+        count += good;                                                        \
+        use(value);                                                           \
+        return good;                                                          \
+    }
+EXTRACTOR(sensor_scaled_accel)
+EXTRACTOR(sensor_scaled_gyro)
+EXTRACTOR(filter_attitude_quaternion)
+
+static size_t parse(const uint8_t *data, size_t size, size_t chunk, mip_packet_callback callback) {
+    mip_parser parser;
+    count = 0;
+    mip_parser_init(&parser, callback, NULL, 100000);
+    while (size > 0) {
+        const size_t part = size < chunk ? size : chunk;
+        mip_parser_parse(&parser, data, part, 0);
+        data += part;
+        size -= part;
+    }
+    return count;
+}
+
+#define FUNCTION(name)                             \
+    size_t name(const uint8_t *data, size_t size); \
+    size_t name(const uint8_t *data, size_t size)
+
+FUNCTION(peer_parse) {
+    return parse(data, size, 4096, on_packet);
+}
+FUNCTION(peer_small) {
+    return parse(data, size, 64, on_packet);
+}
+FUNCTION(peer_all) {
+    return parse(data, size, 4096, on_all);
+}
+FUNCTION(peer_three) {
+    static mip_dispatch_handler handlers[3];
+    mip_dispatcher_init(&dispatcher);
+    mip_dispatch_handler_init_extractor(&handlers[0], MIP_SENSOR_DATA_DESC_SET, MIP_DATA_DESC_SENSOR_ACCEL_SCALED,
+                                        take_sensor_scaled_accel, &sensor_scaled_accel);
+    mip_dispatch_handler_init_extractor(&handlers[1], MIP_SENSOR_DATA_DESC_SET, MIP_DATA_DESC_SENSOR_GYRO_SCALED,
+                                        take_sensor_scaled_gyro, &sensor_scaled_gyro);
+    mip_dispatch_handler_init_extractor(&handlers[2], MIP_FILTER_DATA_DESC_SET, MIP_DATA_DESC_FILTER_ATT_QUATERNION,
+                                        take_filter_attitude_quaternion, &filter_attitude_quaternion);
+    for (int i = 0; i < 3; i++) {
+        mip_dispatcher_add_handler(&dispatcher, &handlers[i]);
+    }
+    return parse(data, size, 4096, on_three);
+}
+
+#define ROW(name) {#name, name}
+static const struct {
+    const char *name;
+    size_t (*run)(const uint8_t *data, size_t size);
+} ROWS[] = {ROW(peer_parse), ROW(peer_small), ROW(peer_all), ROW(peer_three)};
+
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return (double)time.tv_sec * 1e9 + (double)time.tv_nsec;
+}
+
+int main(int arguments, char **given) {
+    FILE *file = arguments == 4 ? fopen(given[1], "rb") : NULL;
+    if (file == NULL) {
+        return 2;
+    }
+    fseek(file, 0, SEEK_END);
+    const size_t size = (size_t)ftell(file);
+    uint8_t *data = malloc(size);
+    rewind(file);
+    if (data == NULL || fread(data, 1, size, file) != size) {
+        return 2;
+    }
+    fclose(file);
+    for (size_t row = 0; row < sizeof(ROWS) / sizeof(ROWS[0]); row++) {
+        if (strcmp(ROWS[row].name, given[2]) == 0) {
+            double best = 1e18;
+            size_t found = 0;
+            for (long round = strtol(given[3], NULL, 10); round > 0; round--) {
+                const double begin = now();
+                found = ROWS[row].run(data, size);
+                const double time = now() - begin;
+                best = time < best ? time : best;
+            }
+            printf("%.0f %zu\n", best, found);
+            free(data);
+            return 0;
+        }
+    }
+    return 2;
+}
