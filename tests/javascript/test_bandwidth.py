@@ -118,7 +118,7 @@ def test_random_streams(page: browser.Page, device: str) -> None:
 
 def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
     """What its sources do not tell is not what the device does not have: it is offered, and marked."""
-    assert page.run("choose('3dm-gx5-25', [['sensor', 'sensor.scaled_accel', 10]])")["need"]
+    assert page.run("choose('3dm-dh3', [['sensor', 'sensor.scaled_accel', 10]])")["need"]
     row = 'document.querySelector(\'[data-set="{}"] [data-field="{}"] label\').textContent'
     assert page.run(row.format("sensor", "sensor.scaled_accel")).endswith("(not known)")
     assert "is incomplete: No manual is known." in page.run("document.querySelector('#tool').textContent")

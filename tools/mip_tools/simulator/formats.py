@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from ..binding import reflection
+from ..binding import DEVICES, reflection
 from .checks import data_sets
 from .codes import WRITE
 from .facts import COMMANDS
@@ -15,9 +15,9 @@ from .streams import Stream
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: The rate in Hz of sets whose data come as they arise, and of those whose rate is not known.
+#: The rate in Hz of sets whose data come as they arise, and the highest one of those whose rate is not known.
 RATE_AS_THEY_ARISE = 1.0
-UNKNOWN_RATE = 100.0
+UNKNOWN_RATE = 10.0
 
 #: What factory streaming asks for of each set, at this rate in Hz.
 FACTORY_FIELDS, FACTORY_RATE = 4, 10
@@ -29,8 +29,12 @@ def rate(device: VirtualDevice, set: int) -> int:
 
 
 def ticks(device: VirtualDevice, set: int) -> float:
-    """The rate in Hz at which a set is sent without decimation."""
-    return device.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
+    """The rate in Hz at which a set is sent without decimation; if it is not known, a low one of other devices."""
+    known = device.profile.base_rates.get(set)
+    if known is None:
+        rates = (other.base_rates[set] for other in DEVICES.values() if set in other.base_rates)
+        known = min(*rates, UNKNOWN_RATE, UNKNOWN_RATE)
+    return known or RATE_AS_THEY_ARISE
 
 
 def of_set(device: VirtualDevice, set: int) -> list[tuple[int, int]]:

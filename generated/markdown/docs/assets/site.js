@@ -138,7 +138,8 @@
                 // A heading of the page is enough: the title alone is no reason to show each of its sections.
                 if (ranks.includes(-1) || (heading && ranks.every((rank) => rank === 1))) continue;
                 const whole = places.findIndex((place) => place.includes(text.toLowerCase()));
-                const last = COLLECTIONS.includes(url) ? 9 : 0;
+                const named = anchor.toLowerCase().endsWith(`.${text.trim().toLowerCase()}`); // an erratum by its id
+                const last = named ? -9 : COLLECTIONS.includes(url) ? 9 : 0;
                 const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0) + last;
                 const listed = heading && (last || /^(compare|guides|types)\b/.test(url)); // what these name has pages of its own
                 const share = url.startsWith("fields/") || listed ? 0 : shareOf(heading || title, patterns);
