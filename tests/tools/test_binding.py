@@ -131,10 +131,9 @@ def test_a_package_that_lacks_what_a_tool_needs(own: Path, tmp_path: Path) -> No
     import shutil
 
     folder = shutil.copytree(package(own), tmp_path / "lacking")
-    (folder / "simulation.json").unlink()
-    (folder / "lookup.py").unlink()
     remedy = "generate it again, with the mipgen of these tools"
     for words, what in ((("simulate", "my-device"), "simulation.json"), (("dump", "00"), "lacking.lookup")):
+        (folder / what.replace("lacking.lookup", "lookup.py")).unlink()
         done = python("-m", "mip_tools", *words, "--package", folder)
         assert (done.returncode, done.stderr) == (1, f"mip {words[0]}: lacking lacks {what}; {remedy}\n")
 

@@ -25,6 +25,7 @@
  * The method. */
 #ifndef MIP_CHECKSUM
 #if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
+/** The method. */
 #define MIP_CHECKSUM MIP_CHECKSUM_PLAIN
 #elif defined(__SSE2__) || defined(_M_X64)
 #define MIP_CHECKSUM MIP_CHECKSUM_SSE2
