@@ -34,7 +34,8 @@ def arrived(session: Session) -> list[bytes]:
     """The packets in what the client received: what the device sent but for what is logged as spoiled."""
     witness = session.witness
     packets = [bytes.fromhex(p) for p in expected_parse(bytes(session.stream))["packets"]]
-    came, sent = Counter(packets), Counter(packet for packet, _ in witness.packets)
+    late = expected_parse(bytes(session.stream) + session.link.on_the_way)["packets"]
+    came, sent = Counter(bytes.fromhex(p) for p in late), Counter(packet for packet, _ in witness.packets)
     assert sent - came <= Counter(i.packet for i in witness.injected if i.damaged), "a loss is not logged"
     cut = Counter(i.packet for i in witness.injected if i.kind == "disconnect" and i.damaged)
     whole = Counter(packet for packet, carried in witness.packets if packet in carried)

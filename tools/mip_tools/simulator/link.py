@@ -48,6 +48,11 @@ class Link:
         return len(self._ready)
 
     @property
+    def on_the_way(self) -> bytes:
+        """Bytes that the device has sent and that have not arrived, as a slow port has many."""
+        return b"".join(data for _, _, data in sorted(self._late))
+
+    @property
     def next(self) -> int | None:
         """When delayed bytes arrive, or the device has to send something."""
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
