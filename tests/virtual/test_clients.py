@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import OFFERS, differences, driver, heavy, model
+from support import NIGHTLY, OFFERS, differences, driver, heavy, model
 from virtual.commands import Trial, commands, data_fields
 from virtual.ledger import OUTCOMES, check
 from virtual.scenario import everything, faulty, formats, prepare, silenced
@@ -114,7 +114,7 @@ def test_who_asks_again_gets_an_answer() -> None:
 
 
 @heavy("the clients against all devices, with many seeds")
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(8 if NIGHTLY else 2))
 def test_all_devices_and_faults(seed: int) -> None:
     rates = {kind: RATES[known.of] / 6 for kind, known in KINDS.items()}
     for of in model("real").devices:
