@@ -1062,113 +1062,113 @@ types:
     seq:
       - id: system_clock_failure
         type: b1
-        doc: The system clock has failed.
+        doc: The system clock failed.
       - id: power_fault
         type: b1
-        doc: The power supply has a fault.
+        doc: Power supply fault.
       - id: unused_2
         type: b2
       - id: firmware_fault
         type: b1
-        doc: The firmware has a fault.
+        doc: Firmware fault.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up.
       - id: buffer_overrun
         type: b1
-        doc: A data buffer was full.
+        doc: A data buffer overflowed; data may be lost.
       - id: unused_7
         type: b9
       - id: imu_process_fault
         type: b1
-        doc: The process of the inertial sensors has a fault.
+        doc: The inertial sensor process failed.
       - id: imu_data_rate_mismatch
         type: b1
-        doc: Sensor data does not come at its base rate.
+        doc: Sensor data is not produced at its base rate.
       - id: imu_overrun_dropped_data
         type: b1
         doc: Sensor data was dropped.
       - id: imu_stuck
         type: b1
-        doc: The process of the inertial sensors does not advance.
+        doc: The inertial sensor process is stuck.
       - id: filter_process_fault
         type: b1
-        doc: The process of the filter has a fault.
+        doc: The filter process failed.
       - id: filter_dropped_data
         type: b1
         doc: The filter dropped data.
       - id: filter_rate_mismatch
         type: b1
-        doc: Filter data does not come at its base rate.
+        doc: Filter data is not produced at its base rate.
       - id: filter_stuck
         type: b1
-        doc: The process of the filter does not advance.
+        doc: The filter process is stuck.
       - id: unused_24
         type: b8
       - id: imu_clock_fault
         type: b1
-        doc: The clock of the inertial sensors has failed.
+        doc: The inertial sensor clock failed.
       - id: imu_comm_fault
         type: b1
-        doc: The inertial sensors do not communicate.
+        doc: No communication with the inertial sensors.
       - id: imu_timing_overrun
         type: b1
-        doc: A cycle of the inertial sensors takes too long.
+        doc: An inertial sensor cycle exceeded its time slot.
       - id: unused_35
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: The calibration of the accelerometer has a fault.
+        doc: Accelerometer calibration error.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: The calibration of the gyroscope has a fault.
+        doc: Gyroscope calibration error.
       - id: imu_calibration_error_mag
         type: b1
-        doc: The calibration of the magnetometer has a fault.
+        doc: Magnetometer calibration error.
       - id: unused_39
         type: b1
       - id: accel_general_fault
         type: b1
-        doc: The accelerometer has a fault.
+        doc: Accelerometer fault.
       - id: accel_over_range
         type: b1
         doc: The accelerometer measures near or beyond its range.
       - id: accel_self_test_fail
         type: b1
-        doc: The self test of the accelerometer failed.
+        doc: The accelerometer self-test failed.
       - id: unused_43
         type: b1
       - id: gyro_general_fault
         type: b1
-        doc: The gyroscope has a fault.
+        doc: Gyroscope fault.
       - id: gyro_over_range
         type: b1
         doc: The gyroscope measures near or beyond its range.
       - id: gyro_self_test_fail
         type: b1
-        doc: The self test of the gyroscope failed.
+        doc: The gyroscope self-test failed.
       - id: unused_47
         type: b1
       - id: mag_general_fault
         type: b1
-        doc: The magnetometer has a fault.
+        doc: Magnetometer fault.
       - id: mag_over_range
         type: b1
         doc: The magnetometer measures near or beyond its range.
       - id: mag_self_test_fail
         type: b1
-        doc: The self test of the magnetometer failed.
+        doc: The magnetometer self-test failed.
       - id: unused_51
         type: b1
       - id: pressure_sensor_general_fault
         type: b1
-        doc: The pressure sensor has a fault.
+        doc: Pressure sensor fault.
       - id: pressure_sensor_over_range
         type: b1
         doc: The pressure sensor measures near or beyond its range.
       - id: pressure_sensor_self_test_fail
         type: b1
-        doc: The self test of the pressure sensor failed.
+        doc: The pressure sensor self-test failed.
       - id: unused_55
         type: b1
       - id: factory_bits_invalid
@@ -1178,15 +1178,15 @@ types:
         type: b7
       - id: filter_fault
         type: b1
-        doc: The filter has a fault.
+        doc: Filter fault.
       - id: unused_65
         type: b1
       - id: filter_timing_overrun
         type: b1
-        doc: A cycle of the filter takes too long.
+        doc: A filter cycle exceeded its time slot.
       - id: filter_timing_underrun
         type: b1
-        doc: A cycle of the filter begins too late.
+        doc: A filter cycle started too late.
       - id: unused_68
         type: b32
       - id: unused_100
@@ -1199,143 +1199,143 @@ types:
     seq:
       - id: system_clock_failure
         type: b1
-        doc: The system clock has failed.
+        doc: The system clock failed.
       - id: power_fault
         type: b1
-        doc: The power supply has a fault.
+        doc: Power supply fault.
       - id: unused_2
         type: b2
       - id: firmware_fault
         type: b1
-        doc: The firmware has a fault.
+        doc: Firmware fault.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up.
       - id: buffer_overrun
         type: b1
-        doc: A data buffer was full.
+        doc: A data buffer overflowed; data may be lost.
       - id: unused_7
         type: b9
       - id: imu_ipc_fault
         type: b4
-        doc: Faults between the processors of the system and of the inertial sensors.
+        doc: System to inertial sensor processor link faults.
       - id: filter_ipc_fault
         type: b4
-        doc: Faults between the processors of the system and of the filter.
+        doc: System to filter processor link faults.
       - id: gnss_ipc_fault
         type: b4
-        doc: Faults between the processors of the system and of GNSS.
+        doc: System to GNSS processor link faults.
       - id: unused_28
         type: b4
       - id: imu_clock_fault
         type: b1
-        doc: The clock of the inertial sensors has failed.
+        doc: The inertial sensor clock failed.
       - id: imu_comm_fault
         type: b1
-        doc: The inertial sensors do not communicate.
+        doc: No communication with the inertial sensors.
       - id: imu_timing_overrun
         type: b1
-        doc: A cycle of the inertial sensors takes too long.
+        doc: An inertial sensor cycle exceeded its time slot.
       - id: unused_35
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: The calibration of the accelerometer has a fault.
+        doc: Accelerometer calibration error.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: The calibration of the gyroscope has a fault.
+        doc: Gyroscope calibration error.
       - id: imu_calibration_error_mag
         type: b1
-        doc: The calibration of the magnetometer has a fault.
+        doc: Magnetometer calibration error.
       - id: unused_39
         type: b1
       - id: accel_general_fault
         type: b1
-        doc: The accelerometer has a fault.
+        doc: Accelerometer fault.
       - id: accel_over_range
         type: b1
         doc: The accelerometer measures near or beyond its range.
       - id: accel_self_test_fail
         type: b1
-        doc: The self test of the accelerometer failed.
+        doc: The accelerometer self-test failed.
       - id: unused_43
         type: b1
       - id: gyro_general_fault
         type: b1
-        doc: The gyroscope has a fault.
+        doc: Gyroscope fault.
       - id: gyro_over_range
         type: b1
         doc: The gyroscope measures near or beyond its range.
       - id: gyro_self_test_fail
         type: b1
-        doc: The self test of the gyroscope failed.
+        doc: The gyroscope self-test failed.
       - id: unused_47
         type: b1
       - id: mag_general_fault
         type: b1
-        doc: The magnetometer has a fault.
+        doc: Magnetometer fault.
       - id: mag_over_range
         type: b1
         doc: The magnetometer measures near or beyond its range.
       - id: mag_self_test_fail
         type: b1
-        doc: The self test of the magnetometer failed.
+        doc: The magnetometer self-test failed.
       - id: unused_51
         type: b1
       - id: pressure_sensor_general_fault
         type: b1
-        doc: The pressure sensor has a fault.
+        doc: Pressure sensor fault.
       - id: pressure_sensor_over_range
         type: b1
         doc: The pressure sensor measures near or beyond its range.
       - id: pressure_sensor_self_test_fail
         type: b1
-        doc: The self test of the pressure sensor failed.
+        doc: The pressure sensor self-test failed.
       - id: unused_55
         type: b9
       - id: filter_clock_fault
         type: b1
-        doc: The clock of the filter has failed.
+        doc: The filter clock failed.
       - id: filter_hardware_fault
         type: b1
-        doc: The processor of the filter has a fault.
+        doc: Filter processor fault.
       - id: filter_timing_overrun
         type: b1
-        doc: A cycle of the filter takes too long.
+        doc: A filter cycle exceeded its time slot.
       - id: filter_timing_underrun
         type: b1
-        doc: A cycle of the filter begins too late.
+        doc: A filter cycle started too late.
       - id: filter_comm_error
         type: b4
-        doc: Faults in the communication with the filter.
+        doc: Filter communication errors.
       - id: unused_72
         type: b24
       - id: gnss_clock_fault
         type: b1
-        doc: The clock of the GNSS processor has failed.
+        doc: The GNSS processor clock failed.
       - id: gnss_hardware_fault
         type: b1
-        doc: The GNSS processor has a fault.
+        doc: GNSS processor fault.
       - id: gnss_comm_error
         type: b3
-        doc: Faults in the communication with the GNSS processor.
+        doc: GNSS processor communication errors.
       - id: gps_time_fault
         type: b1
-        doc: GPS time has a fault.
+        doc: GPS time fault.
       - id: gnss_timing_overrun
         type: b1
-        doc: A cycle of the GNSS processor takes too long.
+        doc: A GNSS processor cycle exceeded its time slot.
       - id: unused_103
         type: b1
       - id: receiver_1_power_fault
         type: b1
-        doc: The power supply of receiver 1 has a fault.
+        doc: Receiver 1 power supply fault.
       - id: receiver_1_fault
         type: b1
-        doc: Receiver 1 has a fault.
+        doc: Receiver 1 fault.
       - id: antenna_1_shorted
         type: b1
-        doc: Antenna 1 is a short circuit.
+        doc: Antenna 1 is shorted.
       - id: antenna_1_open
         type: b1
         doc: Antenna 1 is not connected.
@@ -1344,13 +1344,13 @@ types:
         doc: Receiver 1 has no solution.
       - id: receiver_2_power_fault
         type: b1
-        doc: The power supply of receiver 2 has a fault.
+        doc: Receiver 2 power supply fault.
       - id: receiver_2_fault
         type: b1
-        doc: Receiver 2 has a fault.
+        doc: Receiver 2 fault.
       - id: antenna_2_shorted
         type: b1
-        doc: Antenna 2 is a short circuit.
+        doc: Antenna 2 is shorted.
       - id: antenna_2_open
         type: b1
         doc: Antenna 2 is not connected.
@@ -1359,10 +1359,10 @@ types:
         doc: Receiver 2 has no solution.
       - id: rtcm_comm_fault
         type: b1
-        doc: RTCM corrections do not arrive properly.
+        doc: RTCM communication fault.
       - id: rtk_dongle_fault
         type: b1
-        doc: The RTK modem has a fault.
+        doc: RTK modem fault.
       - id: unused_116
         type: b12
   event_trigger_status:
@@ -1779,35 +1779,35 @@ types:
         type: b1
       - id: mag_z
         type: b1
-        doc: Magnetometer Z axis.
+        doc: The magnetometer z axis is near or outside its range.
       - id: mag_y
         type: b1
-        doc: Magnetometer Y axis.
+        doc: The magnetometer y axis is near or outside its range.
       - id: mag_x
         type: b1
-        doc: Magnetometer X axis.
+        doc: The magnetometer x axis is near or outside its range.
       - id: unused_7
         type: b1
       - id: gyro_z
         type: b1
-        doc: Gyroscope Z axis.
+        doc: The gyroscope z axis is near or outside its range.
       - id: gyro_y
         type: b1
-        doc: Gyroscope Y axis.
+        doc: The gyroscope y axis is near or outside its range.
       - id: gyro_x
         type: b1
-        doc: Gyroscope X axis.
+        doc: The gyroscope x axis is near or outside its range.
       - id: unused_3
         type: b1
       - id: accel_z
         type: b1
-        doc: Accelerometer Z axis.
+        doc: The accelerometer z axis is near or outside its range.
       - id: accel_y
         type: b1
-        doc: Accelerometer Y axis.
+        doc: The accelerometer y axis is near or outside its range.
       - id: accel_x
         type: b1
-        doc: Accelerometer X axis.
+        doc: The accelerometer x axis is near or outside its range.
   sensor_odometer_flags:
     -kind: bits
     doc: Whether the odometer values are valid.

@@ -206,10 +206,10 @@ def test_facts(path: str, facts: dict[str, str]) -> None:
 @pytest.mark.parametrize(
     ("number", "why"),
     [
-        (0, "Its documentation has it."),
-        (1, "The device lists it (firmware 1.0.07; 2026-11-23)."),
-        (2, "A list by others after its manual has it (Kit of names: Names). It names tools.hello."),
-        (3, "The device refuses it (firmware 1.2)."),
+        (0, "Documented."),
+        (1, "Listed by the device (firmware 1.0.07; 2026-11-23)."),
+        (2, "Listed by others after the manual (Kit of names: Names). It names tools.hello."),
+        (3, "Rejected by the device (firmware 1.2)."),
     ],
 )
 def test_why_a_device_has_a_field(number: int, why: str) -> None:
@@ -217,7 +217,7 @@ def test_why_a_device_has_a_field(number: int, why: str) -> None:
     assert c is not None and old is not None
     assert describe.why(c.evidence[number], INVENTED) == why
     assert plain(describe.evidence(old.evidence[0], INVENTED)) == (
-        "Devices of its generation have it, <Model A> and <Model B>."
+        "Supported by devices of the same generation, <Model A> and <Model B>."
     )
     assert describe.known(c) == "model-c: 24 certain, 2 probable, 1 refused"
     assert describe.known(old) == "old-2: 2 probable; there may be more"

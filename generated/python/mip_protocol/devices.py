@@ -15,7 +15,7 @@ CL5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -25,7 +25,7 @@ CL5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -66,7 +66,7 @@ CL5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -76,7 +76,7 @@ CL5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15.",
+            "Supported by a nearly identical device, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3E 40 50 51 64"),
@@ -123,7 +123,7 @@ CL5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -133,7 +133,7 @@ CL5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3A 3B 3E 40 50 51 64"),
@@ -184,7 +184,7 @@ CV5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -194,7 +194,7 @@ CV5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -204,7 +204,7 @@ CV5_10 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (MicroStrain Communication Library: Issue 145).",
+            "Rejected by the device (MicroStrain Communication Library: Issue 145).",
             {0x80: bytes.fromhex("01")},
         ),
     ),
@@ -241,7 +241,7 @@ CV5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
@@ -253,19 +253,19 @@ CV5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15.",
+            "Supported by a nearly identical device, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
@@ -312,7 +312,7 @@ CV5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
@@ -324,19 +324,19 @@ CV5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
@@ -385,7 +385,7 @@ CV5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -395,7 +395,7 @@ CV5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex(
@@ -413,7 +413,7 @@ CV5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {
                 0x82: bytes.fromhex(
                     "01 02 03 06 07 08 09 0A 0B 0C 0D 0F 10 11 12 13 15 1C 20 21 25 26 28 29"
@@ -455,7 +455,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
             {
                 0x01: bytes.fromhex("04 07 09"),
                 0x0C: bytes.fromhex("0E 50 54"),
@@ -466,7 +466,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x0C: bytes.fromhex("11 38 39 3A 3B"),
                 0x0D: bytes.fromhex("01 03 43"),
@@ -478,7 +478,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
             {
                 0x0C: bytes.fromhex("2E 2F 41"),
                 0x80: bytes.fromhex("18"),
@@ -489,7 +489,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
             {
                 0x0D: bytes.fromhex("50"),
                 0x80: bytes.fromhex("05 0A"),
@@ -499,43 +499,43 @@ CV7_AHRS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
             {0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {0x01: bytes.fromhex("01 02 06"), 0x0C: bytes.fromhex("0F 2B 30 31")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (Public programs of users: Program for a 3DM-CV7).",
+            "Used by programs for this model (Public programs of users: Program for a 3DM-CV7).",
             {0x01: bytes.fromhex("05")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            "Used by programs for this model (PX4: Driver of the vendor's sensors).",
             {0x0C: bytes.fromhex("52"), 0x82: bytes.fromhex("0A")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("09 0C"),
                 0x82: bytes.fromhex("0B 12 21"),
@@ -546,7 +546,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("08 72 7E"),
                 0x0C: bytes.fromhex("0D 10 2A 2C 2D 32 33 37 42 51 53"),
@@ -559,7 +559,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257).",
+            "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257).",
             {
                 0x81: bytes.fromhex("03 0B"),
                 0x82: bytes.fromhex("34 43"),
@@ -569,7 +569,7 @@ CV7_AHRS = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (ROS driver of the vendor: Issue 350).",
+            "Rejected by the device (ROS driver of the vendor: Issue 350).",
             {
                 0x82: bytes.fromhex("49"),
                 0x91: bytes.fromhex("12 14"),
@@ -658,7 +658,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications).",
             {
                 0x01: bytes.fromhex("04 07 09"),
                 0x0C: bytes.fromhex("0E 50 54"),
@@ -669,7 +669,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x0C: bytes.fromhex("11 38 39 3A 3B"),
                 0x0D: bytes.fromhex("01 03 43"),
@@ -681,7 +681,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages).",
             {
                 0x0C: bytes.fromhex("2E 2F 41"),
                 0x80: bytes.fromhex("18"),
@@ -692,7 +692,7 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program).",
             {
                 0x0D: bytes.fromhex("50"),
                 0x80: bytes.fromhex("05 0A"),
@@ -702,13 +702,13 @@ CV7_AR = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
+            "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages).",
             {0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.YES,
             "listed",
-            "The device lists it (MicroStrain Communication Library: Issue 258).",
+            "Listed by the device (MicroStrain Communication Library: Issue 258).",
             {
                 0x01: bytes.fromhex("08"),
                 0xA0: bytes.fromhex("01 03"),
@@ -718,31 +718,31 @@ CV7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("01 02 03 06"), 0x0C: bytes.fromhex("0F 2B 30 31")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            "Used by programs for this model (PX4: Driver of the vendor's sensors).",
             {0x0C: bytes.fromhex("52"), 0x82: bytes.fromhex("0A")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {0x80: bytes.fromhex("09 0C"), 0x82: bytes.fromhex("0B 12 21")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("0D 10 2A 2C 2D 32 33 37 42 51 53"),
@@ -753,7 +753,7 @@ CV7_AR = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (MicroStrain Communication Library: Issue 258).",
+            "Rejected by the device (MicroStrain Communication Library: Issue 258).",
             {0x0D: bytes.fromhex("19 44 4B")},
         ),
     ),
@@ -838,7 +838,7 @@ CV7_GNSS_INS = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 07 08 09 72 7E"),
                 0x0C: bytes.fromhex(
@@ -1104,25 +1104,23 @@ CV7_INS = Device(
     description="Inertial navigation system without a GNSS receiver of its own.",
     model_number=6291,
     evidence=(
-        Evidence(
-            Support.YES, "documented", "Its documentation has it.", {0x0D: bytes.fromhex("13 20")}
-        ),
+        Evidence(Support.YES, "documented", "Documented.", {0x0D: bytes.fromhex("13 20")}),
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
+            "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages).",
             {0x0D: bytes.fromhex("52"), 0x13: bytes.fromhex("01"), 0x82: bytes.fromhex("50")},
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
+            "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site).",
             {0x94: bytes.fromhex("03 04 05 06 07 08 0B 10 11 14 20")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 06"),
                 0x0C: bytes.fromhex("0E 0F 30 39"),
@@ -1133,7 +1131,7 @@ CV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x82: bytes.fromhex("01 02 05 10"),
                 0xA0: bytes.fromhex("02"),
@@ -1143,7 +1141,7 @@ CV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            "Used by programs for this model (PX4: Driver of the vendor's sensors).",
             {
                 0x01: bytes.fromhex("04 07"),
                 0x0C: bytes.fromhex("11 31 52"),
@@ -1155,7 +1153,7 @@ CV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {
                 0x01: bytes.fromhex("09"),
                 0x0C: bytes.fromhex("28 41 42"),
@@ -1166,19 +1164,19 @@ CV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
+            "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026).",
             {0x80: bytes.fromhex("04 05")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("09 0A 0C"),
                 0x82: bytes.fromhex("06 07 0B 0C 12 13 1C 21"),
@@ -1189,7 +1187,7 @@ CV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 72 7E"),
                 0x0C: bytes.fromhex("04 0C 0D 10 2A 2B 2C 2D 2E 2F 32 33 37 38 3A 3B 50 51 53 54"),
@@ -1288,19 +1286,19 @@ CX5_10 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
+            "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents).",
             {0x01: bytes.fromhex("01 02 03 04 05 06 72 7E"), 0x0C: bytes.fromhex("01 06 08 11")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("07"), 0x0C: bytes.fromhex("30"), 0x80: bytes.fromhex("04 05")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
             {0x0C: bytes.fromhex("37 38 39 3E 40 50 51 64"), 0x80: bytes.fromhex("07 08 12")},
         ),
     ),
@@ -1342,7 +1340,7 @@ CX5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
@@ -1354,19 +1352,19 @@ CX5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15.",
+            "Supported by a nearly identical device, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
@@ -1413,7 +1411,7 @@ CX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
@@ -1425,19 +1423,19 @@ CX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
@@ -1486,7 +1484,7 @@ CX5_35 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -1496,7 +1494,7 @@ CX5_35 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-35.",
+            "Supported by a nearly identical device, 3DM-GX5-35.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 02 07 09 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"),
@@ -1538,13 +1536,13 @@ CX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title).",
+            "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title).",
             {0x80: bytes.fromhex("04 05 06")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 09 0A 0B 30"),
@@ -1557,13 +1555,13 @@ CX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0C: bytes.fromhex("07 39")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+            "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
             {
                 0x80: bytes.fromhex("0A 17"),
                 0x81: bytes.fromhex("03 05 07"),
@@ -1573,13 +1571,13 @@ CX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 02 03 11 21 22 23 24 37 38 3A 3B 3E 40 50 51 64"),
@@ -1595,7 +1593,7 @@ CX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
     ),
@@ -1639,13 +1637,13 @@ CX7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 05 06 0A 0B 0D 0E 10 12 13 1C 21"),
@@ -1656,13 +1654,13 @@ CX7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 09 72 7E"),
                 0x0C: bytes.fromhex(
@@ -1749,13 +1747,13 @@ CX7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 05 06 0A 0B 0D 0E 10 12 13 1C 21"),
@@ -1766,13 +1764,13 @@ CX7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 09 72 7E"),
                 0x0C: bytes.fromhex(
@@ -1859,13 +1857,13 @@ CX7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("28 41"), 0x0D: bytes.fromhex("43 50 53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 05 06 07 0A 0B 0C 0D 0E 10 12 13 1C 21"),
@@ -1876,13 +1874,13 @@ CX7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("01 02 03 04 06 07"), 0x0C: bytes.fromhex("0E 0F 30")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 09 72 7E"),
                 0x0C: bytes.fromhex(
@@ -1972,7 +1970,7 @@ DH3 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x01: bytes.fromhex("01 02 03 04 06"), 0x0C: bytes.fromhex("11")},
         ),
     ),
@@ -2000,7 +1998,7 @@ GQ4_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 72 7E"),
                 0x0C: bytes.fromhex(
@@ -2011,7 +2009,7 @@ GQ4_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45.",
+            "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45.",
             {
                 0x0D: bytes.fromhex(
                     "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
@@ -2067,7 +2065,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
+            "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages).",
             {
                 0x01: bytes.fromhex("03"),
                 0x0C: bytes.fromhex("42"),
@@ -2078,13 +2076,13 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
+            "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications).",
             {0x01: bytes.fromhex("04 07 09"), 0x0C: bytes.fromhex("0E 50 54")},
         ),
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x0C: bytes.fromhex("04 31 39"),
                 0x0D: bytes.fromhex("05 15 1E 20 43 52 64"),
@@ -2095,7 +2093,7 @@ GQ7 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
+            "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver).",
             {
                 0x80: bytes.fromhex("04 05 06 07 08 0A 12 17 18 40"),
                 0x82: bytes.fromhex("01 02 03 05 08 09 0A 0D 0E 10 1C 34 36 37 40 41 42 43 46 49"),
@@ -2108,7 +2106,7 @@ GQ7 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("0F 30"),
@@ -2119,7 +2117,7 @@ GQ7 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {
                 0x0C: bytes.fromhex("0C 10 22 28 41 43"),
                 0x0D: bytes.fromhex("53 55 56 61"),
@@ -2129,13 +2127,13 @@ GQ7 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (PX4: Driver of the vendor's sensors).",
+            "Used by programs for this model (PX4: Driver of the vendor's sensors).",
             {0x91: bytes.fromhex("07 11"), 0x92: bytes.fromhex("07 11")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 72 7E"),
                 0x0C: bytes.fromhex("0D 11 2A 2B 2C 2D 2E 2F 32 33 37 38 3A 3B 51 52 53"),
@@ -2245,7 +2243,7 @@ GV7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 06"),
                 0x0C: bytes.fromhex("0E 0F 2B 2E 2F 30 31 39"),
@@ -2257,19 +2255,19 @@ GV7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("43 53"), 0xA0: bytes.fromhex("02")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("41")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 06 0A 0B 0D 0E 12 13 1C 21"),
@@ -2280,13 +2278,13 @@ GV7_AHRS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 09 72 7E"),
                 0x0C: bytes.fromhex("0D 10 11 2A 2C 2D 32 33 37 38 3A 3B 42 50 51 52 53 54"),
@@ -2365,7 +2363,7 @@ GV7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 06"),
                 0x0C: bytes.fromhex("0E 0F 2B 2E 2F 30 31 39"),
@@ -2377,19 +2375,19 @@ GV7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {0x0C: bytes.fromhex("28"), 0x0D: bytes.fromhex("43 50 53"), 0xA0: bytes.fromhex("02")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("41")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 06 0A 0B 0D 0E 12 13 1C 21"),
@@ -2400,13 +2398,13 @@ GV7_AR = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 09 72 7E"),
                 0x0C: bytes.fromhex("0D 10 11 2A 2C 2D 32 33 37 38 3A 3B 42 50 51 52 53 54"),
@@ -2485,7 +2483,7 @@ GV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 06"),
                 0x0C: bytes.fromhex("0E 0F 30 39"),
@@ -2498,7 +2496,7 @@ GV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver of the vendor: Example configurations).",
+            "Used by programs for this model (ROS driver of the vendor: Example configurations).",
             {
                 0x01: bytes.fromhex("09"),
                 0x0C: bytes.fromhex("28 41 42"),
@@ -2509,13 +2507,13 @@ GV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds).",
+            "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds).",
             {
                 0x80: bytes.fromhex("04 05 06 09 0A 0C 17"),
                 0x82: bytes.fromhex("03 06 07 0A 0B 0C 0D 0E 12 13 1C 21"),
@@ -2526,13 +2524,13 @@ GV7_INS = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, 3DM-CV7-GNSS/INS.",
+            "Supported by devices of the same generation, 3DM-CV7-GNSS/INS.",
             {
                 0x01: bytes.fromhex("05 08 72 7E"),
                 0x0C: bytes.fromhex(
@@ -2619,14 +2617,14 @@ GX3_15 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("35")},
             ((12, 60),),
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX3-35.",
+            "Supported by a nearly identical device, 3DM-GX3-35.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06"),
                 0x0C: bytes.fromhex("01 06 08 11 36 61 64"),
@@ -2661,20 +2659,20 @@ GX3_25 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0C: bytes.fromhex("35")},
             ((12, 60), (12, 61)),
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).",
             {0x0C: bytes.fromhex("61")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX3-35.",
+            "Supported by a nearly identical device, 3DM-GX3-35.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06"),
                 0x0C: bytes.fromhex("01 06 08 11 36 64"),
@@ -2684,7 +2682,7 @@ GX3_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (ROS driver of the vendor: Issue 347).",
+            "Rejected by the device (ROS driver of the vendor: Issue 347).",
             {
                 0x0C: bytes.fromhex("0C 22 43"),
                 0x0D: bytes.fromhex("10 13 43 54"),
@@ -2695,7 +2693,7 @@ GX3_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213).",
+            "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213).",
             {
                 0x81: bytes.fromhex("03 05 0B"),
                 0x82: bytes.fromhex("43"),
@@ -2730,7 +2728,7 @@ GX3_35 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06"),
                 0x0C: bytes.fromhex("01 02 06 07 08 09 11 34 35 36 60 61 64"),
@@ -2742,7 +2740,7 @@ GX3_35 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by programs for this model (MIP SDK of 2014: Examples, one for each model).",
             {0x0C: bytes.fromhex("62")},
         ),
     ),
@@ -2772,7 +2770,7 @@ GX3_45 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05"),
                 0x0C: bytes.fromhex("06 07 08 09 0A 0B 11"),
@@ -2786,13 +2784,13 @@ GX3_45 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0D: bytes.fromhex("44 45")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX3-35.",
+            "Supported by a nearly identical device, 3DM-GX3-35.",
             {0x01: bytes.fromhex("06"), 0x0C: bytes.fromhex("01 02 35 36 64")},
         ),
     ),
@@ -2821,7 +2819,7 @@ GX4_15 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05"),
                 0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 37 38 39 51 64"),
@@ -2834,13 +2832,13 @@ GX4_15 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0D: bytes.fromhex("45")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX4-25.",
+            "Supported by a nearly identical device, 3DM-GX4-25.",
             {
                 0x01: bytes.fromhex("06 7E"),
                 0x0C: bytes.fromhex("30 3E 40 50"),
@@ -2888,7 +2886,7 @@ GX4_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05"),
                 0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 37 38 39 3A 3B 51 64"),
@@ -2903,7 +2901,7 @@ GX4_25 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (Public programs of users: Driver imu_3dm_gx4).",
+            "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4).",
             {
                 0x01: bytes.fromhex("06"),
                 0x0C: bytes.fromhex("40"),
@@ -2915,7 +2913,7 @@ GX4_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-25.",
+            "Supported by a nearly identical device, 3DM-GX5-25.",
             {
                 0x01: bytes.fromhex("7E"),
                 0x0C: bytes.fromhex("30 3E 50"),
@@ -2926,7 +2924,7 @@ GX4_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (MicroStrain Communication Library: Issue 30).",
+            "Rejected by the device (MicroStrain Communication Library: Issue 30).",
             {0x82: bytes.fromhex("07")},
         ),
     ),
@@ -2970,7 +2968,7 @@ GX4_45 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05"),
                 0x0C: bytes.fromhex("01 02 03 06 07 08 09 0A 0B 11 37 38 39 3A 3B 51 64"),
@@ -2986,7 +2984,7 @@ GX4_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-25.",
+            "Supported by a nearly identical device, 3DM-GX5-25.",
             {
                 0x01: bytes.fromhex("06 7E"),
                 0x0C: bytes.fromhex("30 3E 40 50"),
@@ -3035,7 +3033,7 @@ GX5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {
                 0x01: bytes.fromhex("01 02 03 04 06 07"),
                 0x0C: bytes.fromhex("06 08 30"),
@@ -3045,7 +3043,7 @@ GX5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -3086,7 +3084,7 @@ GX5_15 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 07 72 7E"),
                 0x0C: bytes.fromhex("01 03 06 08 0A 0B 11 30 37 38 39 3E 40 50 51 64"),
@@ -3099,7 +3097,7 @@ GX5_15 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (MicroStrain Communication Library: Issue 301).",
+            "Rejected by the device (MicroStrain Communication Library: Issue 301).",
             {0x80: bytes.fromhex("01 02")},
         ),
     ),
@@ -3189,7 +3187,7 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "transcribed",
-            "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
+            "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
             {
                 0x80: bytes.fromhex("04 05 06 07 08 09 0A 0C 10 11 12 17"),
                 0x82: bytes.fromhex(
@@ -3200,7 +3198,7 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02 06"),
                 0x0C: bytes.fromhex("06 08 0A 0B 30 39"),
@@ -3210,13 +3208,13 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("03"), 0x0D: bytes.fromhex("01 18")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
+            "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
             {
                 0x0C: bytes.fromhex("11 37 38 3A 3B 3E 51 64"),
                 0x0D: bytes.fromhex("02 03 14 1A 1B 1D 1E 20 21 26 44"),
@@ -3226,19 +3224,19 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver microstrain_mips: Conditions by model).",
+            "Used by programs for this model (ROS driver microstrain_mips: Conditions by model).",
             {0x0D: bytes.fromhex("42 45")},
         ),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 40 50"),
@@ -3248,7 +3246,7 @@ GX5_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (ROS driver of the vendor: Issue 238).",
+            "Rejected by the device (ROS driver of the vendor: Issue 238).",
             {
                 0x0C: bytes.fromhex("41"),
                 0x81: bytes.fromhex("03 0B"),
@@ -3260,7 +3258,7 @@ GX5_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368).",
+            "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368).",
             {
                 0x80: bytes.fromhex("18"),
                 0x82: bytes.fromhex("01 08"),
@@ -3270,7 +3268,7 @@ GX5_25 = Device(
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200).",
+            "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200).",
             {0x82: bytes.fromhex("02")},
         ),
     ),
@@ -3310,7 +3308,7 @@ GX5_35 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 03 04 07 72"),
                 0x0C: bytes.fromhex("01 07 08 09 11 21 22 23 24 30 37 39 3B 51 64"),
@@ -3322,13 +3320,13 @@ GX5_35 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("02 06"), 0x0C: bytes.fromhex("06")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 7E"),
                 0x0C: bytes.fromhex("02 38 3A 3E 40 50"),
@@ -3388,7 +3386,7 @@ GX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("03 7E"),
                 0x0C: bytes.fromhex("02 03 06 07 08 09 0A 0B 20 30 3A 40 64"),
@@ -3404,13 +3402,13 @@ GX5_45 = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages).",
+            "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages).",
             {0x01: bytes.fromhex("06 07")},
         ),
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3).",
             {
                 0x01: bytes.fromhex("01 02"),
                 0x0D: bytes.fromhex("01"),
@@ -3422,25 +3420,25 @@ GX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples).",
+            "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples).",
             {0x0C: bytes.fromhex("39")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ROS driver microstrain_mips: Table of tested functions).",
+            "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions).",
             {0x0C: bytes.fromhex("11 37 38 3B 3E 51"), 0x0D: bytes.fromhex("02 26")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x0D: bytes.fromhex("53")},
         ),
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
+            "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5).",
             {
                 0x80: bytes.fromhex("0A 17"),
                 0x81: bytes.fromhex("03 05 07"),
@@ -3450,13 +3448,13 @@ GX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it (MicroStrain MIP SDK: Examples).",
+            "Supported by devices of the same generation (MicroStrain MIP SDK: Examples).",
             {0x01: bytes.fromhex("04")},
         ),
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35.",
+            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35.",
             {
                 0x01: bytes.fromhex("05 72"),
                 0x0C: bytes.fromhex("01 21 22 23 24 50"),
@@ -3467,13 +3465,13 @@ GX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (MicroStrain Communication Library: Issue 43).",
+            "Rejected by the device (MicroStrain Communication Library: Issue 43).",
             {0x80: bytes.fromhex("01")},
         ),
     ),
@@ -3547,7 +3545,7 @@ MV5_AR = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {0x01: bytes.fromhex("01 02 03 04 06"), 0x0C: bytes.fromhex("11")},
         ),
     ),
@@ -3598,7 +3596,7 @@ RQ1_45_LT = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 7E"),
                 0x0C: bytes.fromhex(
@@ -3610,7 +3608,7 @@ RQ1_45_LT = Device(
         Evidence(
             Support.PROBABLE,
             "example",
-            "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model).",
+            "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model).",
             {
                 0x0D: bytes.fromhex(
                     "10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
@@ -3673,7 +3671,7 @@ RQ1_45_ST = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 7E"),
                 0x0C: bytes.fromhex(
@@ -3685,7 +3683,7 @@ RQ1_45_ST = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "A nearly equal device has it, 3DM-RQ1-45-LT.",
+            "Supported by a nearly identical device, 3DM-RQ1-45-LT.",
             {
                 0x0D: bytes.fromhex(
                     "10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
@@ -3748,7 +3746,7 @@ RTK = Device(
         Evidence(
             Support.PROBABLE,
             "software",
-            "Software for it uses it (MicroStrain Communication Library: MIP node features).",
+            "Used by programs for this model (MicroStrain Communication Library: MIP node features).",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 09 7E"),
                 0x0C: bytes.fromhex("30"),

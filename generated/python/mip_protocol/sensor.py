@@ -20,23 +20,23 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """Accelerometer X axis. Bit 0. Concerns `ScaledAccel`."""
+    """The accelerometer x axis is near or outside its range. Bit 0. Concerns `ScaledAccel`."""
     ACCEL_Y = 1 << 1
-    """Accelerometer Y axis. Bit 1. Concerns `ScaledAccel`."""
+    """The accelerometer y axis is near or outside its range. Bit 1. Concerns `ScaledAccel`."""
     ACCEL_Z = 1 << 2
-    """Accelerometer Z axis. Bit 2. Concerns `ScaledAccel`."""
+    """The accelerometer z axis is near or outside its range. Bit 2. Concerns `ScaledAccel`."""
     GYRO_X = 1 << 4
-    """Gyroscope X axis. Bit 4. Concerns `ScaledGyro`."""
+    """The gyroscope x axis is near or outside its range. Bit 4. Concerns `ScaledGyro`."""
     GYRO_Y = 1 << 5
-    """Gyroscope Y axis. Bit 5. Concerns `ScaledGyro`."""
+    """The gyroscope y axis is near or outside its range. Bit 5. Concerns `ScaledGyro`."""
     GYRO_Z = 1 << 6
-    """Gyroscope Z axis. Bit 6. Concerns `ScaledGyro`."""
+    """The gyroscope z axis is near or outside its range. Bit 6. Concerns `ScaledGyro`."""
     MAG_X = 1 << 8
-    """Magnetometer X axis. Bit 8. Concerns `ScaledMag`."""
+    """The magnetometer x axis is near or outside its range. Bit 8. Concerns `ScaledMag`."""
     MAG_Y = 1 << 9
-    """Magnetometer Y axis. Bit 9. Concerns `ScaledMag`."""
+    """The magnetometer y axis is near or outside its range. Bit 9. Concerns `ScaledMag`."""
     MAG_Z = 1 << 10
-    """Magnetometer Z axis. Bit 10. Concerns `ScaledMag`."""
+    """The magnetometer z axis is near or outside its range. Bit 10. Concerns `ScaledMag`."""
     PRESSURE = 1 << 12
     """Pressure sensor. Bit 12. Concerns `ScaledPressure`."""
 

@@ -177,75 +177,75 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     """
 
     SYSTEM_CLOCK_FAILURE = 1 << 0
-    """The system clock has failed. Bit 0."""
+    """The system clock failed. Bit 0."""
     POWER_FAULT = 1 << 1
-    """The power supply has a fault. Bit 1."""
+    """Power supply fault. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """The firmware has a fault. Bit 4."""
+    """Firmware fault. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
     """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
-    """A data buffer was full. Bit 6."""
+    """A data buffer overflowed; data may be lost. Bit 6."""
     IMU_PROCESS_FAULT = 1 << 16
-    """The process of the inertial sensors has a fault. Bit 16."""
+    """The inertial sensor process failed. Bit 16."""
     IMU_DATA_RATE_MISMATCH = 1 << 17
-    """Sensor data does not come at its base rate. Bit 17."""
+    """Sensor data is not produced at its base rate. Bit 17."""
     IMU_OVERRUN_DROPPED_DATA = 1 << 18
     """Sensor data was dropped. Bit 18."""
     IMU_STUCK = 1 << 19
-    """The process of the inertial sensors does not advance. Bit 19."""
+    """The inertial sensor process is stuck. Bit 19."""
     FILTER_PROCESS_FAULT = 1 << 20
-    """The process of the filter has a fault. Bit 20."""
+    """The filter process failed. Bit 20."""
     FILTER_DROPPED_DATA = 1 << 21
     """The filter dropped data. Bit 21."""
     FILTER_RATE_MISMATCH = 1 << 22
-    """Filter data does not come at its base rate. Bit 22."""
+    """Filter data is not produced at its base rate. Bit 22."""
     FILTER_STUCK = 1 << 23
-    """The process of the filter does not advance. Bit 23."""
+    """The filter process is stuck. Bit 23."""
     IMU_CLOCK_FAULT = 1 << 32
-    """The clock of the inertial sensors has failed. Bit 32."""
+    """The inertial sensor clock failed. Bit 32."""
     IMU_COMM_FAULT = 1 << 33
-    """The inertial sensors do not communicate. Bit 33."""
+    """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """A cycle of the inertial sensors takes too long. Bit 34."""
+    """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """The calibration of the accelerometer has a fault. Bit 36."""
+    """Accelerometer calibration error. Bit 36."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """The calibration of the gyroscope has a fault. Bit 37."""
+    """Gyroscope calibration error. Bit 37."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """The calibration of the magnetometer has a fault. Bit 38."""
+    """Magnetometer calibration error. Bit 38."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer has a fault. Bit 40."""
+    """Accelerometer fault. Bit 40."""
     ACCEL_OVER_RANGE = 1 << 41
     """The accelerometer measures near or beyond its range. Bit 41."""
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The self test of the accelerometer failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope has a fault. Bit 44."""
+    """Gyroscope fault. Bit 44."""
     GYRO_OVER_RANGE = 1 << 45
     """The gyroscope measures near or beyond its range. Bit 45."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The self test of the gyroscope failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46."""
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer has a fault. Bit 48."""
+    """Magnetometer fault. Bit 48."""
     MAG_OVER_RANGE = 1 << 49
     """The magnetometer measures near or beyond its range. Bit 49."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The self test of the magnetometer failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor has a fault. Bit 52."""
+    """Pressure sensor fault. Bit 52."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
     """The pressure sensor measures near or beyond its range. Bit 53."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The self test of the pressure sensor failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54."""
     FACTORY_BITS_INVALID = 1 << 56
     """Factory settings are invalid. Bit 56."""
     FILTER_FAULT = 1 << 64
-    """The filter has a fault. Bit 64."""
+    """Filter fault. Bit 64."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """A cycle of the filter takes too long. Bit 66."""
+    """A filter cycle exceeded its time slot. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
-    """A cycle of the filter begins too late. Bit 67."""
+    """A filter cycle started too late. Bit 67."""
 
 
 @codec.open_flag(128)
@@ -258,101 +258,101 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     """
 
     SYSTEM_CLOCK_FAILURE = 1 << 0
-    """The system clock has failed. Bit 0."""
+    """The system clock failed. Bit 0."""
     POWER_FAULT = 1 << 1
-    """The power supply has a fault. Bit 1."""
+    """Power supply fault. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """The firmware has a fault. Bit 4."""
+    """Firmware fault. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
     """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
-    """A data buffer was full. Bit 6."""
+    """A data buffer overflowed; data may be lost. Bit 6."""
     IMU_IPC_FAULT = 0xF0000
-    """Faults between the processors of the system and of the inertial sensors. Bits 16 to 19."""
+    """System to inertial sensor processor link faults. Bits 16 to 19."""
     FILTER_IPC_FAULT = 0xF00000
-    """Faults between the processors of the system and of the filter. Bits 20 to 23."""
+    """System to filter processor link faults. Bits 20 to 23."""
     GNSS_IPC_FAULT = 0xF000000
-    """Faults between the processors of the system and of GNSS. Bits 24 to 27."""
+    """System to GNSS processor link faults. Bits 24 to 27."""
     IMU_CLOCK_FAULT = 1 << 32
-    """The clock of the inertial sensors has failed. Bit 32."""
+    """The inertial sensor clock failed. Bit 32."""
     IMU_COMM_FAULT = 1 << 33
-    """The inertial sensors do not communicate. Bit 33."""
+    """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """A cycle of the inertial sensors takes too long. Bit 34."""
+    """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """The calibration of the accelerometer has a fault. Bit 36."""
+    """Accelerometer calibration error. Bit 36."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """The calibration of the gyroscope has a fault. Bit 37."""
+    """Gyroscope calibration error. Bit 37."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """The calibration of the magnetometer has a fault. Bit 38."""
+    """Magnetometer calibration error. Bit 38."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer has a fault. Bit 40."""
+    """Accelerometer fault. Bit 40."""
     ACCEL_OVER_RANGE = 1 << 41
     """The accelerometer measures near or beyond its range. Bit 41."""
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The self test of the accelerometer failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope has a fault. Bit 44."""
+    """Gyroscope fault. Bit 44."""
     GYRO_OVER_RANGE = 1 << 45
     """The gyroscope measures near or beyond its range. Bit 45."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The self test of the gyroscope failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46."""
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer has a fault. Bit 48."""
+    """Magnetometer fault. Bit 48."""
     MAG_OVER_RANGE = 1 << 49
     """The magnetometer measures near or beyond its range. Bit 49."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The self test of the magnetometer failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor has a fault. Bit 52."""
+    """Pressure sensor fault. Bit 52."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
     """The pressure sensor measures near or beyond its range. Bit 53."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The self test of the pressure sensor failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54."""
     FILTER_CLOCK_FAULT = 1 << 64
-    """The clock of the filter has failed. Bit 64."""
+    """The filter clock failed. Bit 64."""
     FILTER_HARDWARE_FAULT = 1 << 65
-    """The processor of the filter has a fault. Bit 65."""
+    """Filter processor fault. Bit 65."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """A cycle of the filter takes too long. Bit 66."""
+    """A filter cycle exceeded its time slot. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
-    """A cycle of the filter begins too late. Bit 67."""
+    """A filter cycle started too late. Bit 67."""
     FILTER_COMM_ERROR = 0xF00000000000000000
-    """Faults in the communication with the filter. Bits 68 to 71."""
+    """Filter communication errors. Bits 68 to 71."""
     GNSS_CLOCK_FAULT = 1 << 96
-    """The clock of the GNSS processor has failed. Bit 96."""
+    """The GNSS processor clock failed. Bit 96."""
     GNSS_HARDWARE_FAULT = 1 << 97
-    """The GNSS processor has a fault. Bit 97."""
+    """GNSS processor fault. Bit 97."""
     GNSS_COMM_ERROR = 0x1C000000000000000000000000
-    """Faults in the communication with the GNSS processor. Bits 98 to 100."""
+    """GNSS processor communication errors. Bits 98 to 100."""
     GPS_TIME_FAULT = 1 << 101
-    """GPS time has a fault. Bit 101."""
+    """GPS time fault. Bit 101."""
     GNSS_TIMING_OVERRUN = 1 << 102
-    """A cycle of the GNSS processor takes too long. Bit 102."""
+    """A GNSS processor cycle exceeded its time slot. Bit 102."""
     RECEIVER_1_POWER_FAULT = 1 << 104
-    """The power supply of receiver 1 has a fault. Bit 104."""
+    """Receiver 1 power supply fault. Bit 104."""
     RECEIVER_1_FAULT = 1 << 105
-    """Receiver 1 has a fault. Bit 105."""
+    """Receiver 1 fault. Bit 105."""
     ANTENNA_1_SHORTED = 1 << 106
-    """Antenna 1 is a short circuit. Bit 106."""
+    """Antenna 1 is shorted. Bit 106."""
     ANTENNA_1_OPEN = 1 << 107
     """Antenna 1 is not connected. Bit 107."""
     RECEIVER_1_SOLUTION_FAULT = 1 << 108
     """Receiver 1 has no solution. Bit 108."""
     RECEIVER_2_POWER_FAULT = 1 << 109
-    """The power supply of receiver 2 has a fault. Bit 109."""
+    """Receiver 2 power supply fault. Bit 109."""
     RECEIVER_2_FAULT = 1 << 110
-    """Receiver 2 has a fault. Bit 110."""
+    """Receiver 2 fault. Bit 110."""
     ANTENNA_2_SHORTED = 1 << 111
-    """Antenna 2 is a short circuit. Bit 111."""
+    """Antenna 2 is shorted. Bit 111."""
     ANTENNA_2_OPEN = 1 << 112
     """Antenna 2 is not connected. Bit 112."""
     RECEIVER_2_SOLUTION_FAULT = 1 << 113
     """Receiver 2 has no solution. Bit 113."""
     RTCM_COMM_FAULT = 1 << 114
-    """RTCM corrections do not arrive properly. Bit 114."""
+    """RTCM communication fault. Bit 114."""
     RTK_DONGLE_FAULT = 1 << 115
-    """The RTK modem has a fault. Bit 115."""
+    """RTK modem fault. Bit 115."""
 
     @property
     def imu_ipc_fault(self) -> int:

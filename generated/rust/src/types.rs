@@ -250,109 +250,109 @@ bitfield! {
     ///
     /// Source: ros-driver: Built-in test of the CV7; mscl: Continuous built-in test.
     Cv7InertialContinuousBuiltInTest: [u8; 16] {
-        /// The system clock has failed. Bit 0.
+        /// The system clock failed. Bit 0.
         SYSTEM_CLOCK_FAILURE: bool = 0,
             system_clock_failure, set_system_clock_failure, with_system_clock_failure;
-        /// The power supply has a fault. Bit 1.
+        /// Power supply fault. Bit 1.
         POWER_FAULT: bool = 1,
             power_fault, set_power_fault, with_power_fault;
-        /// The firmware has a fault. Bit 4.
+        /// Firmware fault. Bit 4.
         FIRMWARE_FAULT: bool = 4,
             firmware_fault, set_firmware_fault, with_firmware_fault;
         /// The processor cannot keep up. Bit 5.
         TIMING_OVERLOAD: bool = 5,
             timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer was full. Bit 6.
+        /// A data buffer overflowed; data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The process of the inertial sensors has a fault. Bit 16.
+        /// The inertial sensor process failed. Bit 16.
         IMU_PROCESS_FAULT: bool = 16,
             imu_process_fault, set_imu_process_fault, with_imu_process_fault;
-        /// Sensor data does not come at its base rate. Bit 17.
+        /// Sensor data is not produced at its base rate. Bit 17.
         IMU_DATA_RATE_MISMATCH: bool = 17,
             imu_data_rate_mismatch, set_imu_data_rate_mismatch, with_imu_data_rate_mismatch;
         /// Sensor data was dropped. Bit 18.
         IMU_OVERRUN_DROPPED_DATA: bool = 18,
             imu_overrun_dropped_data, set_imu_overrun_dropped_data, with_imu_overrun_dropped_data;
-        /// The process of the inertial sensors does not advance. Bit 19.
+        /// The inertial sensor process is stuck. Bit 19.
         IMU_STUCK: bool = 19,
             imu_stuck, set_imu_stuck, with_imu_stuck;
-        /// The process of the filter has a fault. Bit 20.
+        /// The filter process failed. Bit 20.
         FILTER_PROCESS_FAULT: bool = 20,
             filter_process_fault, set_filter_process_fault, with_filter_process_fault;
         /// The filter dropped data. Bit 21.
         FILTER_DROPPED_DATA: bool = 21,
             filter_dropped_data, set_filter_dropped_data, with_filter_dropped_data;
-        /// Filter data does not come at its base rate. Bit 22.
+        /// Filter data is not produced at its base rate. Bit 22.
         FILTER_RATE_MISMATCH: bool = 22,
             filter_rate_mismatch, set_filter_rate_mismatch, with_filter_rate_mismatch;
-        /// The process of the filter does not advance. Bit 23.
+        /// The filter process is stuck. Bit 23.
         FILTER_STUCK: bool = 23,
             filter_stuck, set_filter_stuck, with_filter_stuck;
-        /// The clock of the inertial sensors has failed. Bit 32.
+        /// The inertial sensor clock failed. Bit 32.
         IMU_CLOCK_FAULT: bool = 32,
             imu_clock_fault, set_imu_clock_fault, with_imu_clock_fault;
-        /// The inertial sensors do not communicate. Bit 33.
+        /// No communication with the inertial sensors. Bit 33.
         IMU_COMM_FAULT: bool = 33,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// A cycle of the inertial sensors takes too long. Bit 34.
+        /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// The calibration of the accelerometer has a fault. Bit 36.
+        /// Accelerometer calibration error. Bit 36.
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// The calibration of the gyroscope has a fault. Bit 37.
+        /// Gyroscope calibration error. Bit 37.
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// The calibration of the magnetometer has a fault. Bit 38.
+        /// Magnetometer calibration error. Bit 38.
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer has a fault. Bit 40.
+        /// Accelerometer fault. Bit 40.
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
         /// The accelerometer measures near or beyond its range. Bit 41.
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The self test of the accelerometer failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42.
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope has a fault. Bit 44.
+        /// Gyroscope fault. Bit 44.
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
         /// The gyroscope measures near or beyond its range. Bit 45.
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The self test of the gyroscope failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46.
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer has a fault. Bit 48.
+        /// Magnetometer fault. Bit 48.
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
         /// The magnetometer measures near or beyond its range. Bit 49.
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The self test of the magnetometer failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50.
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor has a fault. Bit 52.
+        /// Pressure sensor fault. Bit 52.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
         /// The pressure sensor measures near or beyond its range. Bit 53.
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The self test of the pressure sensor failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54.
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// Factory settings are invalid. Bit 56.
         FACTORY_BITS_INVALID: bool = 56,
             factory_bits_invalid, set_factory_bits_invalid, with_factory_bits_invalid;
-        /// The filter has a fault. Bit 64.
+        /// Filter fault. Bit 64.
         FILTER_FAULT: bool = 64,
             filter_fault, set_filter_fault, with_filter_fault;
-        /// A cycle of the filter takes too long. Bit 66.
+        /// A filter cycle exceeded its time slot. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
             filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
-        /// A cycle of the filter begins too late. Bit 67.
+        /// A filter cycle started too late. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
     }
@@ -364,121 +364,121 @@ bitfield! {
     ///
     /// Source: ros-driver: Built-in test of the GQ7; mscl: Continuous built-in test.
     Gq7ContinuousBuiltInTest: [u8; 16] {
-        /// The system clock has failed. Bit 0.
+        /// The system clock failed. Bit 0.
         SYSTEM_CLOCK_FAILURE: bool = 0,
             system_clock_failure, set_system_clock_failure, with_system_clock_failure;
-        /// The power supply has a fault. Bit 1.
+        /// Power supply fault. Bit 1.
         POWER_FAULT: bool = 1,
             power_fault, set_power_fault, with_power_fault;
-        /// The firmware has a fault. Bit 4.
+        /// Firmware fault. Bit 4.
         FIRMWARE_FAULT: bool = 4,
             firmware_fault, set_firmware_fault, with_firmware_fault;
         /// The processor cannot keep up. Bit 5.
         TIMING_OVERLOAD: bool = 5,
             timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer was full. Bit 6.
+        /// A data buffer overflowed; data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// Faults between the processors of the system and of the inertial sensors. Bits 16 to 19.
+        /// System to inertial sensor processor link faults. Bits 16 to 19.
         IMU_IPC_FAULT: u8 = 16..=19,
             imu_ipc_fault, set_imu_ipc_fault, with_imu_ipc_fault;
-        /// Faults between the processors of the system and of the filter. Bits 20 to 23.
+        /// System to filter processor link faults. Bits 20 to 23.
         FILTER_IPC_FAULT: u8 = 20..=23,
             filter_ipc_fault, set_filter_ipc_fault, with_filter_ipc_fault;
-        /// Faults between the processors of the system and of GNSS. Bits 24 to 27.
+        /// System to GNSS processor link faults. Bits 24 to 27.
         GNSS_IPC_FAULT: u8 = 24..=27,
             gnss_ipc_fault, set_gnss_ipc_fault, with_gnss_ipc_fault;
-        /// The clock of the inertial sensors has failed. Bit 32.
+        /// The inertial sensor clock failed. Bit 32.
         IMU_CLOCK_FAULT: bool = 32,
             imu_clock_fault, set_imu_clock_fault, with_imu_clock_fault;
-        /// The inertial sensors do not communicate. Bit 33.
+        /// No communication with the inertial sensors. Bit 33.
         IMU_COMM_FAULT: bool = 33,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// A cycle of the inertial sensors takes too long. Bit 34.
+        /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// The calibration of the accelerometer has a fault. Bit 36.
+        /// Accelerometer calibration error. Bit 36.
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// The calibration of the gyroscope has a fault. Bit 37.
+        /// Gyroscope calibration error. Bit 37.
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// The calibration of the magnetometer has a fault. Bit 38.
+        /// Magnetometer calibration error. Bit 38.
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer has a fault. Bit 40.
+        /// Accelerometer fault. Bit 40.
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
         /// The accelerometer measures near or beyond its range. Bit 41.
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The self test of the accelerometer failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42.
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope has a fault. Bit 44.
+        /// Gyroscope fault. Bit 44.
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
         /// The gyroscope measures near or beyond its range. Bit 45.
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The self test of the gyroscope failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46.
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer has a fault. Bit 48.
+        /// Magnetometer fault. Bit 48.
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
         /// The magnetometer measures near or beyond its range. Bit 49.
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The self test of the magnetometer failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50.
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor has a fault. Bit 52.
+        /// Pressure sensor fault. Bit 52.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
         /// The pressure sensor measures near or beyond its range. Bit 53.
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The self test of the pressure sensor failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54.
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
-        /// The clock of the filter has failed. Bit 64.
+        /// The filter clock failed. Bit 64.
         FILTER_CLOCK_FAULT: bool = 64,
             filter_clock_fault, set_filter_clock_fault, with_filter_clock_fault;
-        /// The processor of the filter has a fault. Bit 65.
+        /// Filter processor fault. Bit 65.
         FILTER_HARDWARE_FAULT: bool = 65,
             filter_hardware_fault, set_filter_hardware_fault, with_filter_hardware_fault;
-        /// A cycle of the filter takes too long. Bit 66.
+        /// A filter cycle exceeded its time slot. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
             filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
-        /// A cycle of the filter begins too late. Bit 67.
+        /// A filter cycle started too late. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
-        /// Faults in the communication with the filter. Bits 68 to 71.
+        /// Filter communication errors. Bits 68 to 71.
         FILTER_COMM_ERROR: u8 = 68..=71,
             filter_comm_error, set_filter_comm_error, with_filter_comm_error;
-        /// The clock of the GNSS processor has failed. Bit 96.
+        /// The GNSS processor clock failed. Bit 96.
         GNSS_CLOCK_FAULT: bool = 96,
             gnss_clock_fault, set_gnss_clock_fault, with_gnss_clock_fault;
-        /// The GNSS processor has a fault. Bit 97.
+        /// GNSS processor fault. Bit 97.
         GNSS_HARDWARE_FAULT: bool = 97,
             gnss_hardware_fault, set_gnss_hardware_fault, with_gnss_hardware_fault;
-        /// Faults in the communication with the GNSS processor. Bits 98 to 100.
+        /// GNSS processor communication errors. Bits 98 to 100.
         GNSS_COMM_ERROR: u8 = 98..=100,
             gnss_comm_error, set_gnss_comm_error, with_gnss_comm_error;
-        /// GPS time has a fault. Bit 101.
+        /// GPS time fault. Bit 101.
         GPS_TIME_FAULT: bool = 101,
             gps_time_fault, set_gps_time_fault, with_gps_time_fault;
-        /// A cycle of the GNSS processor takes too long. Bit 102.
+        /// A GNSS processor cycle exceeded its time slot. Bit 102.
         GNSS_TIMING_OVERRUN: bool = 102,
             gnss_timing_overrun, set_gnss_timing_overrun, with_gnss_timing_overrun;
-        /// The power supply of receiver 1 has a fault. Bit 104.
+        /// Receiver 1 power supply fault. Bit 104.
         RECEIVER_1_POWER_FAULT: bool = 104,
             receiver_1_power_fault, set_receiver_1_power_fault, with_receiver_1_power_fault;
-        /// Receiver 1 has a fault. Bit 105.
+        /// Receiver 1 fault. Bit 105.
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Antenna 1 is a short circuit. Bit 106.
+        /// Antenna 1 is shorted. Bit 106.
         ANTENNA_1_SHORTED: bool = 106,
             antenna_1_shorted, set_antenna_1_shorted, with_antenna_1_shorted;
         /// Antenna 1 is not connected. Bit 107.
@@ -487,13 +487,13 @@ bitfield! {
         /// Receiver 1 has no solution. Bit 108.
         RECEIVER_1_SOLUTION_FAULT: bool = 108,
             receiver_1_solution_fault, set_receiver_1_solution_fault, with_receiver_1_solution_fault;
-        /// The power supply of receiver 2 has a fault. Bit 109.
+        /// Receiver 2 power supply fault. Bit 109.
         RECEIVER_2_POWER_FAULT: bool = 109,
             receiver_2_power_fault, set_receiver_2_power_fault, with_receiver_2_power_fault;
-        /// Receiver 2 has a fault. Bit 110.
+        /// Receiver 2 fault. Bit 110.
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Antenna 2 is a short circuit. Bit 111.
+        /// Antenna 2 is shorted. Bit 111.
         ANTENNA_2_SHORTED: bool = 111,
             antenna_2_shorted, set_antenna_2_shorted, with_antenna_2_shorted;
         /// Antenna 2 is not connected. Bit 112.
@@ -502,10 +502,10 @@ bitfield! {
         /// Receiver 2 has no solution. Bit 113.
         RECEIVER_2_SOLUTION_FAULT: bool = 113,
             receiver_2_solution_fault, set_receiver_2_solution_fault, with_receiver_2_solution_fault;
-        /// RTCM corrections do not arrive properly. Bit 114.
+        /// RTCM communication fault. Bit 114.
         RTCM_COMM_FAULT: bool = 114,
             rtcm_comm_fault, set_rtcm_comm_fault, with_rtcm_comm_fault;
-        /// The RTK modem has a fault. Bit 115.
+        /// RTK modem fault. Bit 115.
         RTK_DONGLE_FAULT: bool = 115,
             rtk_dongle_fault, set_rtk_dongle_fault, with_rtk_dongle_fault;
     }

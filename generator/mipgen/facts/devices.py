@@ -10,14 +10,14 @@ from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
 #: Kind of evidence -> what it says; for those that are about other devices, what follows is the devices.
 _KINDS = {
-    "documented": "Its documentation has it",
-    "listed": "The device lists it",
-    "transcribed": "A list by others after its manual has it",
-    "example": "An example of the vendor for it uses it",
-    "software": "Software for it uses it",
-    "family": "Devices of its generation have it",
-    "sister": "A nearly equal device has it",
-    "refused": "The device refuses it",
+    "documented": "Documented",
+    "listed": "Listed by the device",
+    "transcribed": "Listed by others after the manual",
+    "example": "Used by the vendor's example for this model",
+    "software": "Used by programs for this model",
+    "family": "Supported by devices of the same generation",
+    "sister": "Supported by a nearly identical device",
+    "refused": "Rejected by the device",
 }
 
 

@@ -21,7 +21,7 @@ from . import (
     simulation,
     types,
 )
-from .devices import EVIDENCE, Answer, Device, DeviceVariant, Evidence, Limit, Note, Port, Rate, Support
+from .devices import EVIDENCE, Answer, Device, DeviceVariant, Evidence, Limit, Note, Port, Rate, Support, strength
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
     COMMAND,
@@ -131,6 +131,7 @@ __all__ = [
     "Word",
     "groups",
     "letters",
+    "strength",
     "structs",
 ]
 

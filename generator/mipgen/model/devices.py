@@ -28,6 +28,11 @@ EVIDENCE: dict[str, Answer] = {
 }
 
 
+def strength(kind: str) -> int:
+    """The place of a kind of evidence: 0 is the strongest."""
+    return list(EVIDENCE).index(kind)
+
+
 @dataclass(frozen=True, slots=True)
 class Port:
     name: str

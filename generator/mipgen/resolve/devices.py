@@ -46,13 +46,9 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
                 problems.add(f.position, f"the device '{name}' does not send '{f.full_name}': {remedy}")
 
 
-def _strength(kind: str) -> int:
-    return list(m.EVIDENCE).index(kind)
-
-
 def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
     """Each once, the strongest first."""
-    return tuple(dict.fromkeys(sorted(evidence, key=lambda e: _strength(e.kind))))
+    return tuple(dict.fromkeys(sorted(evidence, key=lambda e: m.strength(e.kind))))
 
 
 def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
@@ -285,7 +281,7 @@ class _Device:
                     twice = next(filter(None, (_twice(full, e, evidence) for e in before)), None)
                     if twice is not None:
                         self.problems.add(entry.position, twice)
-                    elif all(_strength(evidence.kind) < _strength(e.kind) for e in before):
+                    elif all(m.strength(evidence.kind) < m.strength(e.kind) for e in before):
                         own = functions.get(full)
                         taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
                         instead = deprecated.scalar(full) if deprecated else None

@@ -180,8 +180,7 @@ class _Heir:
         inherited = _kinds(self.parent).get(full)
         if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
-        known = list(m.EVIDENCE)
-        if known.index(kind) >= known.index(inherited):
+        if m.strength(kind) >= m.strength(inherited):
             self.problems.add(entry.position, f"'{self.like}' already has '{full}' ({inherited}); remove it")
 
     def names(self, supports: Node | None, evidence: Node | None) -> set[str]:
@@ -255,7 +254,7 @@ def _evident(node: Node) -> list[tuple[str, str, Node]]:
 
 def _kinds(node: Node) -> dict[str, str]:
     """Full name of each field that a profile names -> kind of the strongest evidence."""
-    weakest_first = sorted(_evident(node), key=lambda said: list(m.EVIDENCE).index(said[0]), reverse=True)
+    weakest_first = sorted(_evident(node), key=lambda said: m.strength(said[0]), reverse=True)
     return {
         **{full: kind for kind, full, _ in weakest_first},
         **dict.fromkeys(_fields(node.get("supports")), "documented"),

@@ -175,12 +175,12 @@ static void uncertain(void) {
     CHECK(mip_profile_support(old, 0x01, 0x01) == MIP_SUPPORT_YES);
     CHECK(mip_profile_support(old, 0x80, 0x02) == MIP_SUPPORT_PROBABLE);
     CHECK(is(mip_profile_find_field(old, 0x80, 0x02)->evidence->why,
-             "Devices of its generation have it, Model A and Model B."));
+             "Supported by devices of the same generation, Model A and Model B."));
     CHECK(mip_profile_find_field(old, 0x80, 0x03) == NULL);
     CHECK(mip_profile_support(old, 0x80, 0x03) == MIP_SUPPORT_UNKNOWN);
     const struct mip_profile *c = mip_profile_find("Model C");
     CHECK(c->refused_count == 1 && mip_profile_support(c, 0x01, 0x08) == MIP_SUPPORT_NO);
-    CHECK(is(mip_profile_find_field(c, 0x01, 0x08)->evidence->why, "The device refuses it (firmware 1.2)."));
+    CHECK(is(mip_profile_find_field(c, 0x01, 0x08)->evidence->why, "Rejected by the device (firmware 1.2)."));
 }
 
 static uint16_t number_of(const char *text) {

@@ -507,7 +507,7 @@ fn devices_tell_what_is_not_certain() {
     assert_eq!(old.support(0x80, 0x02), devices::Support::Probable);
     assert_eq!(old.support(0x80, 0x03), devices::Support::Unknown);
     let why = old.field(0x80, 0x02).unwrap().evidence.why;
-    assert_eq!(why, "Devices of its generation have it, Model A and Model B.");
+    assert_eq!(why, "Supported by devices of the same generation, Model A and Model B.");
     assert_eq!(devices::MODEL_C.support(0x01, 0x08), devices::Support::No);
     assert_eq!(devices::MODEL_B.support(0x01, 0x08), devices::Support::No);
     assert!(!devices::MODEL_C.has::<tools::Choice>());

@@ -14,8 +14,9 @@ static const char *const cl5_10_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cl5_10_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field cl5_10_fields[] = {
@@ -88,8 +89,9 @@ static const char *const cl5_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cl5_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cl5_15_fields[] = {
@@ -188,8 +190,9 @@ static const char *const cl5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cl5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cl5_25_fields[] = {
@@ -296,9 +299,10 @@ static const char *const cv5_10_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv5_10_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
-    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 145)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 145)."},
 };
 
 static const struct mip_profile_field cv5_10_fields[] = {
@@ -375,12 +379,13 @@ static const char *const cv5_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv5_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cv5_15_fields[] = {
@@ -479,12 +484,13 @@ static const char *const cv5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cv5_25_fields[] = {
@@ -587,9 +593,10 @@ static const char *const cv5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv5_45_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-45."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field cv5_45_fields[] = {
@@ -708,30 +715,30 @@ static const char *const cv7_ahrs_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Field pages, linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Field pages, linked by a public program)."},
-    {MIP_SUPPORT_YES,
-     "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol "
+                      "Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
+                      "linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
+                      "linked by a public program)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (Public programs of users: Program for a 3DM-CV7)."},
+     "Used by programs for this model (Public programs of users: Program for a 3DM-CV7)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
     {MIP_SUPPORT_NO,
-     "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257)."},
-    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 350)."},
+     "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257)."},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 350)."},
 };
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
@@ -905,25 +912,25 @@ static const char *const cv7_ar_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ar_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Protocol Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Field pages, linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): "
-                      "Field pages, linked by a public program)."},
-    {MIP_SUPPORT_YES,
-     "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
-    {MIP_SUPPORT_YES, "The device lists it (MicroStrain Communication Library: Issue 258)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol "
+                      "Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
+                      "linked by the ROS messages)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, "
+                      "linked by a public program)."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)."},
+    {MIP_SUPPORT_YES, "Listed by the device (MicroStrain Communication Library: Issue 258)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
-    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 258)."},
+     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 258)."},
 };
 
 static const struct mip_profile_field cv7_ar_fields[] = {
@@ -1090,7 +1097,7 @@ const struct mip_profile mip_profile_cv7_ar = {
 /* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_profile_evidence cv7_gnss_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Documented."},
 };
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
@@ -1616,25 +1623,25 @@ static const char *const cv7_ins_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cv7_ins_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
     {MIP_SUPPORT_YES,
-     "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of "
-                      "the set 0x94, on a test site)."},
+     "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field cv7_ins_fields[] = {
@@ -1808,10 +1815,10 @@ static const char *const cx5_10_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_10_evidence[] = {
-    {MIP_SUPPORT_YES,
-     "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field cx5_10_fields[] = {
@@ -1884,12 +1891,13 @@ static const char *const cx5_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_15_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cx5_15_fields[] = {
@@ -1988,12 +1996,13 @@ static const char *const cx5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cx5_25_fields[] = {
@@ -2100,8 +2109,9 @@ static const char *const cx5_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_35_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-35."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-35."},
 };
 
 static const struct mip_profile_field cx5_35_fields[] = {
@@ -2188,16 +2198,17 @@ static const char *const cx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence cx5_45_evidence[] = {
-    {MIP_SUPPORT_YES,
-     "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_YES, "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-45."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field cx5_45_fields[] = {
@@ -2317,11 +2328,12 @@ static const char *const cx7_ahrs_incomplete[] = {
 
 static const struct mip_profile_evidence cx7_ahrs_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field cx7_ahrs_fields[] = {
@@ -2460,11 +2472,12 @@ static const char *const cx7_ar_incomplete[] = {
 
 static const struct mip_profile_evidence cx7_ar_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field cx7_ar_fields[] = {
@@ -2603,11 +2616,12 @@ static const char *const cx7_ins_incomplete[] = {
 
 static const struct mip_profile_evidence cx7_ins_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field cx7_ins_fields[] = {
@@ -2767,7 +2781,7 @@ static const char *const dh3_incomplete[] = {
 
 static const struct mip_profile_evidence dh3_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
 };
 
 static const struct mip_profile_field dh3_fields[] = {
@@ -2819,8 +2833,8 @@ static const char *const gq4_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gq4_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45."},
 };
 
 static const struct mip_profile_field gq4_45_fields[] = {
@@ -2918,19 +2932,20 @@ static const char *const gq7_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gq7_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, "
-                      "linked by the ROS messages)."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol "
-                      "Support and Specifications)."},
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_YES, "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, "
-                      "linked by the wiki of the ROS driver)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)."},
+    {MIP_SUPPORT_YES,
+     "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the "
+                      "wiki of the ROS driver)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (PX4: Driver of the vendor's sensors)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Used by programs for this model (PX4: Driver of the vendor's sensors)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field gq7_fields[] = {
@@ -3128,15 +3143,16 @@ static const char *const gv7_ahrs_incomplete[] = {
 
 static const struct mip_profile_evidence gv7_ahrs_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
@@ -3273,15 +3289,16 @@ static const char *const gv7_ar_incomplete[] = {
 
 static const struct mip_profile_evidence gv7_ar_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field gv7_ar_fields[] = {
@@ -3418,15 +3435,16 @@ static const char *const gv7_ins_incomplete[] = {
 
 static const struct mip_profile_evidence gv7_ins_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver of the vendor: Example configurations)."},
+     "Used by programs for this model (ROS driver of the vendor: Example configurations)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Used by programs for this model (MicroStrain Communication Library: "
+                           "Fields of event thresholds)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, 3DM-CV7-GNSS/INS."},
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-CV7-GNSS/INS."},
 };
 
 static const struct mip_profile_field gv7_ins_fields[] = {
@@ -3585,8 +3603,8 @@ static const char *const gx3_15_incomplete[] = {
 
 static const struct mip_profile_evidence gx3_15_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
 };
 
 static const struct mip_profile_field gx3_15_fields[] = {
@@ -3643,13 +3661,13 @@ static const char *const gx3_25_incomplete[] = {
 
 static const struct mip_profile_evidence gx3_25_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
-    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 347)."},
+     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 347)."},
     {MIP_SUPPORT_NO,
-     "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213)."},
+     "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213)."},
 };
 
 static const struct mip_profile_field gx3_25_fields[] = {
@@ -3722,10 +3740,10 @@ static const char *const gx3_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_35_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+     "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)."},
 };
 
 static const struct mip_profile_field gx3_35_fields[] = {
@@ -3790,11 +3808,11 @@ static const char *const gx3_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx3_45_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX3-35."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
 };
 
 static const struct mip_profile_field gx3_45_fields[] = {
@@ -3864,11 +3882,11 @@ static const char *const gx4_15_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_15_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX4-25."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field gx4_15_fields[] = {
@@ -3961,12 +3979,12 @@ static const char *const gx4_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_25_evidence[] = {
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (Public programs of users: Driver imu_3dm_gx4)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25."},
-    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 30)."},
+     "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25."},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 30)."},
 };
 
 static const struct mip_profile_field gx4_25_fields[] = {
@@ -4074,9 +4092,9 @@ static const char *const gx4_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx4_45_evidence[] = {
-    {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25."},
 };
 
 static const struct mip_profile_field gx4_45_fields[] = {
@@ -4187,8 +4205,9 @@ static const char *const gx5_10_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_10_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field gx5_10_fields[] = {
@@ -4257,8 +4276,8 @@ static const char *const gx5_15_also[] = {
 };
 
 static const struct mip_profile_evidence gx5_15_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 301)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 301)."},
 };
 
 static const struct mip_profile_field gx5_15_fields[] = {
@@ -4412,22 +4431,23 @@ static const char *const gx5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "A list by others after its manual has it (Public programs of users: "
-                           "Parser of 3DM-GX5-25 data in MATLAB, 2018)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_PROBABLE, "Listed by others after the manual (Public programs of users: Parser of "
+                           "3DM-GX5-25 data in MATLAB, 2018)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)."},
+     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver microstrain_mips: Conditions by model)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
-    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 238)."},
+     "Used by programs for this model (ROS driver microstrain_mips: Conditions by model)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 238)."},
     {MIP_SUPPORT_NO,
-     "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368)."},
-    {MIP_SUPPORT_NO, "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain "
+     "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368)."},
+    {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain "
                      "Communication Library: Issue 200)."},
 };
 
@@ -4547,9 +4567,10 @@ static const char *const gx5_35_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_35_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field gx5_35_fields[] = {
@@ -4653,21 +4674,23 @@ static const char *const gx5_45_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_45_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_YES, "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
-    {MIP_SUPPORT_PROBABLE, "An example of the vendor for it uses it (MicroStrain MIP SDK, versions "
-                           "1 to 3: Examples of the versions 1 to 3)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages)."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
+                           "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)."},
+     "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)."},
+     "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)."},
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
-    {MIP_SUPPORT_NO, "The device refuses it (MicroStrain Communication Library: Issue 43)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
+    {MIP_SUPPORT_PROBABLE,
+     "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 43)."},
 };
 
 static const struct mip_profile_field gx5_45_fields[] = {
@@ -4823,7 +4846,7 @@ static const char *const mv5_ar_incomplete[] = {
 
 static const struct mip_profile_evidence mv5_ar_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
 };
 
 static const struct mip_profile_field mv5_ar_fields[] = {
@@ -4897,9 +4920,9 @@ static const char *const rq1_45_lt_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_PROBABLE,
-     "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
+                           "Examples, one for each model)."},
 };
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
@@ -5001,8 +5024,8 @@ static const char *const rq1_45_st_incomplete[] = {
 };
 
 static const struct mip_profile_evidence rq1_45_st_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_PROBABLE, "A nearly equal device has it, 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
@@ -5099,7 +5122,7 @@ static const char *const rtk_incomplete[] = {
 
 static const struct mip_profile_evidence rtk_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
-     "Software for it uses it (MicroStrain Communication Library: MIP node features)."},
+     "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
 };
 
 static const struct mip_profile_field rtk_fields[] = {

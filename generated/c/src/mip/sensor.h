@@ -24,23 +24,29 @@ extern "C" {
 
 /** Sensor axes that were near or outside their range. */
 typedef uint16_t mip_sensor_overrange_flags;
-/** Bit 0. Accelerometer X axis. Concerns mip_sensor_scaled_accel. */
+/**
+ * Bit 0. The accelerometer x axis is near or outside its range. Concerns mip_sensor_scaled_accel.
+ */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
-/** Bit 1. Accelerometer Y axis. Concerns mip_sensor_scaled_accel. */
+/**
+ * Bit 1. The accelerometer y axis is near or outside its range. Concerns mip_sensor_scaled_accel.
+ */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
-/** Bit 2. Accelerometer Z axis. Concerns mip_sensor_scaled_accel. */
+/**
+ * Bit 2. The accelerometer z axis is near or outside its range. Concerns mip_sensor_scaled_accel.
+ */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
-/** Bit 4. Gyroscope X axis. Concerns mip_sensor_scaled_gyro. */
+/** Bit 4. The gyroscope x axis is near or outside its range. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
-/** Bit 5. Gyroscope Y axis. Concerns mip_sensor_scaled_gyro. */
+/** Bit 5. The gyroscope y axis is near or outside its range. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
-/** Bit 6. Gyroscope Z axis. Concerns mip_sensor_scaled_gyro. */
+/** Bit 6. The gyroscope z axis is near or outside its range. Concerns mip_sensor_scaled_gyro. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
-/** Bit 8. Magnetometer X axis. Concerns mip_sensor_scaled_mag. */
+/** Bit 8. The magnetometer x axis is near or outside its range. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
-/** Bit 9. Magnetometer Y axis. Concerns mip_sensor_scaled_mag. */
+/** Bit 9. The magnetometer y axis is near or outside its range. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
-/** Bit 10. Magnetometer Z axis. Concerns mip_sensor_scaled_mag. */
+/** Bit 10. The magnetometer z axis is near or outside its range. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
 /** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U

@@ -555,7 +555,7 @@ struct mip_cv7_inertial_bit {
     uint8_t bytes[16];
 };
 
-/** Bit 0. The system clock has failed. */
+/** Bit 0. The system clock failed. */
 static inline bool
 mip_cv7_inertial_bit_get_system_clock_failure(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
@@ -566,7 +566,7 @@ static inline void mip_cv7_inertial_bit_set_system_clock_failure(struct mip_cv7_
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 1. The power supply has a fault. */
+/** Bit 1. Power supply fault. */
 static inline bool mip_cv7_inertial_bit_get_power_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
@@ -576,7 +576,7 @@ static inline void mip_cv7_inertial_bit_set_power_fault(struct mip_cv7_inertial_
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4. The firmware has a fault. */
+/** Bit 4. Firmware fault. */
 static inline bool
 mip_cv7_inertial_bit_get_firmware_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
@@ -598,7 +598,7 @@ static inline void mip_cv7_inertial_bit_set_timing_overload(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
-/** Bit 6. A data buffer was full. */
+/** Bit 6. A data buffer overflowed; data may be lost. */
 static inline bool
 mip_cv7_inertial_bit_get_buffer_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
@@ -609,7 +609,7 @@ static inline void mip_cv7_inertial_bit_set_buffer_overrun(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
-/** Bit 16. The process of the inertial sensors has a fault. */
+/** Bit 16. The inertial sensor process failed. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_process_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
@@ -620,7 +620,7 @@ static inline void mip_cv7_inertial_bit_set_imu_process_fault(struct mip_cv7_ine
     mip_set_bits(flags->bytes, 16, 1, value);
 }
 
-/** Bit 17. Sensor data does not come at its base rate. */
+/** Bit 17. Sensor data is not produced at its base rate. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_data_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 17, 1);
@@ -642,7 +642,7 @@ mip_cv7_inertial_bit_set_imu_overrun_dropped_data(struct mip_cv7_inertial_bit *f
     mip_set_bits(flags->bytes, 18, 1, value);
 }
 
-/** Bit 19. The process of the inertial sensors does not advance. */
+/** Bit 19. The inertial sensor process is stuck. */
 static inline bool mip_cv7_inertial_bit_get_imu_stuck(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 19, 1);
 }
@@ -652,7 +652,7 @@ static inline void mip_cv7_inertial_bit_set_imu_stuck(struct mip_cv7_inertial_bi
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
-/** Bit 20. The process of the filter has a fault. */
+/** Bit 20. The filter process failed. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_process_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
@@ -674,7 +674,7 @@ static inline void mip_cv7_inertial_bit_set_filter_dropped_data(struct mip_cv7_i
     mip_set_bits(flags->bytes, 21, 1, value);
 }
 
-/** Bit 22. Filter data does not come at its base rate. */
+/** Bit 22. Filter data is not produced at its base rate. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
@@ -685,7 +685,7 @@ static inline void mip_cv7_inertial_bit_set_filter_rate_mismatch(struct mip_cv7_
     mip_set_bits(flags->bytes, 22, 1, value);
 }
 
-/** Bit 23. The process of the filter does not advance. */
+/** Bit 23. The filter process is stuck. */
 static inline bool mip_cv7_inertial_bit_get_filter_stuck(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);
 }
@@ -695,7 +695,7 @@ static inline void mip_cv7_inertial_bit_set_filter_stuck(struct mip_cv7_inertial
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
-/** Bit 32. The clock of the inertial sensors has failed. */
+/** Bit 32. The inertial sensor clock failed. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_clock_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 32, 1);
@@ -706,7 +706,7 @@ static inline void mip_cv7_inertial_bit_set_imu_clock_fault(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 32, 1, value);
 }
 
-/** Bit 33. The inertial sensors do not communicate. */
+/** Bit 33. No communication with the inertial sensors. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_comm_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
@@ -717,7 +717,7 @@ static inline void mip_cv7_inertial_bit_set_imu_comm_fault(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34. A cycle of the inertial sensors takes too long. */
+/** Bit 34. An inertial sensor cycle exceeded its time slot. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
@@ -728,7 +728,7 @@ static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_in
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. The calibration of the accelerometer has a fault. */
+/** Bit 36. Accelerometer calibration error. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -739,7 +739,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. The calibration of the gyroscope has a fault. */
+/** Bit 37. Gyroscope calibration error. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -750,7 +750,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. The calibration of the magnetometer has a fault. */
+/** Bit 38. Magnetometer calibration error. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -761,7 +761,7 @@ mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. The accelerometer has a fault. */
+/** Bit 40. Accelerometer fault. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -783,7 +783,7 @@ static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_iner
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The self test of the accelerometer failed. */
+/** Bit 42. The accelerometer self-test failed. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
@@ -794,7 +794,7 @@ static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. The gyroscope has a fault. */
+/** Bit 44. Gyroscope fault. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -816,7 +816,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The self test of the gyroscope failed. */
+/** Bit 46. The gyroscope self-test failed. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
@@ -827,7 +827,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_i
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. The magnetometer has a fault. */
+/** Bit 48. Magnetometer fault. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -849,7 +849,7 @@ static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The self test of the magnetometer failed. */
+/** Bit 50. The magnetometer self-test failed. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
@@ -860,7 +860,7 @@ static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_in
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. The pressure sensor has a fault. */
+/** Bit 52. Pressure sensor fault. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -882,7 +882,7 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The self test of the pressure sensor failed. */
+/** Bit 54. The pressure sensor self-test failed. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
@@ -904,7 +904,7 @@ static inline void mip_cv7_inertial_bit_set_factory_bits_invalid(struct mip_cv7_
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
-/** Bit 64. The filter has a fault. */
+/** Bit 64. Filter fault. */
 static inline bool mip_cv7_inertial_bit_get_filter_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 64, 1);
 }
@@ -914,7 +914,7 @@ static inline void mip_cv7_inertial_bit_set_filter_fault(struct mip_cv7_inertial
     mip_set_bits(flags->bytes, 64, 1, value);
 }
 
-/** Bit 66. A cycle of the filter takes too long. */
+/** Bit 66. A filter cycle exceeded its time slot. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
@@ -925,7 +925,7 @@ mip_cv7_inertial_bit_set_filter_timing_overrun(struct mip_cv7_inertial_bit *flag
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
-/** Bit 67. A cycle of the filter begins too late. */
+/** Bit 67. A filter cycle started too late. */
 static inline bool
 mip_cv7_inertial_bit_get_filter_timing_underrun(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
@@ -948,7 +948,7 @@ struct mip_gq7_bit {
     uint8_t bytes[16];
 };
 
-/** Bit 0. The system clock has failed. */
+/** Bit 0. The system clock failed. */
 static inline bool mip_gq7_bit_get_system_clock_failure(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
@@ -957,7 +957,7 @@ static inline void mip_gq7_bit_set_system_clock_failure(struct mip_gq7_bit *flag
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 1. The power supply has a fault. */
+/** Bit 1. Power supply fault. */
 static inline bool mip_gq7_bit_get_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
@@ -966,7 +966,7 @@ static inline void mip_gq7_bit_set_power_fault(struct mip_gq7_bit *flags, bool v
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4. The firmware has a fault. */
+/** Bit 4. Firmware fault. */
 static inline bool mip_gq7_bit_get_firmware_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
 }
@@ -984,7 +984,7 @@ static inline void mip_gq7_bit_set_timing_overload(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
-/** Bit 6. A data buffer was full. */
+/** Bit 6. A data buffer overflowed; data may be lost. */
 static inline bool mip_gq7_bit_get_buffer_overrun(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
 }
@@ -993,7 +993,7 @@ static inline void mip_gq7_bit_set_buffer_overrun(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
-/** Bits 16 to 19. Faults between the processors of the system and of the inertial sensors. */
+/** Bits 16 to 19. System to inertial sensor processor link faults. */
 static inline uint8_t mip_gq7_bit_get_imu_ipc_fault(const struct mip_gq7_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 16, 4);
 }
@@ -1002,7 +1002,7 @@ static inline void mip_gq7_bit_set_imu_ipc_fault(struct mip_gq7_bit *flags, uint
     mip_set_bits(flags->bytes, 16, 4, value);
 }
 
-/** Bits 20 to 23. Faults between the processors of the system and of the filter. */
+/** Bits 20 to 23. System to filter processor link faults. */
 static inline uint8_t mip_gq7_bit_get_filter_ipc_fault(const struct mip_gq7_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
 }
@@ -1011,7 +1011,7 @@ static inline void mip_gq7_bit_set_filter_ipc_fault(struct mip_gq7_bit *flags, u
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
-/** Bits 24 to 27. Faults between the processors of the system and of GNSS. */
+/** Bits 24 to 27. System to GNSS processor link faults. */
 static inline uint8_t mip_gq7_bit_get_gnss_ipc_fault(const struct mip_gq7_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
 }
@@ -1020,7 +1020,7 @@ static inline void mip_gq7_bit_set_gnss_ipc_fault(struct mip_gq7_bit *flags, uin
     mip_set_bits(flags->bytes, 24, 4, value);
 }
 
-/** Bit 32. The clock of the inertial sensors has failed. */
+/** Bit 32. The inertial sensor clock failed. */
 static inline bool mip_gq7_bit_get_imu_clock_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 32, 1);
 }
@@ -1029,7 +1029,7 @@ static inline void mip_gq7_bit_set_imu_clock_fault(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 32, 1, value);
 }
 
-/** Bit 33. The inertial sensors do not communicate. */
+/** Bit 33. No communication with the inertial sensors. */
 static inline bool mip_gq7_bit_get_imu_comm_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
@@ -1038,7 +1038,7 @@ static inline void mip_gq7_bit_set_imu_comm_fault(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34. A cycle of the inertial sensors takes too long. */
+/** Bit 34. An inertial sensor cycle exceeded its time slot. */
 static inline bool mip_gq7_bit_get_imu_timing_overrun(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
 }
@@ -1047,7 +1047,7 @@ static inline void mip_gq7_bit_set_imu_timing_overrun(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. The calibration of the accelerometer has a fault. */
+/** Bit 36. Accelerometer calibration error. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_accel(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
@@ -1057,7 +1057,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_accel(struct mip_gq7_bi
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. The calibration of the gyroscope has a fault. */
+/** Bit 37. Gyroscope calibration error. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_gyro(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
@@ -1067,7 +1067,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_gyro(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. The calibration of the magnetometer has a fault. */
+/** Bit 38. Magnetometer calibration error. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_mag(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
@@ -1077,7 +1077,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_mag(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. The accelerometer has a fault. */
+/** Bit 40. Accelerometer fault. */
 static inline bool mip_gq7_bit_get_accel_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
@@ -1095,7 +1095,7 @@ static inline void mip_gq7_bit_set_accel_over_range(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The self test of the accelerometer failed. */
+/** Bit 42. The accelerometer self-test failed. */
 static inline bool mip_gq7_bit_get_accel_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
@@ -1104,7 +1104,7 @@ static inline void mip_gq7_bit_set_accel_self_test_fail(struct mip_gq7_bit *flag
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. The gyroscope has a fault. */
+/** Bit 44. Gyroscope fault. */
 static inline bool mip_gq7_bit_get_gyro_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
@@ -1122,7 +1122,7 @@ static inline void mip_gq7_bit_set_gyro_over_range(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The self test of the gyroscope failed. */
+/** Bit 46. The gyroscope self-test failed. */
 static inline bool mip_gq7_bit_get_gyro_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
@@ -1131,7 +1131,7 @@ static inline void mip_gq7_bit_set_gyro_self_test_fail(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. The magnetometer has a fault. */
+/** Bit 48. Magnetometer fault. */
 static inline bool mip_gq7_bit_get_mag_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
@@ -1149,7 +1149,7 @@ static inline void mip_gq7_bit_set_mag_over_range(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The self test of the magnetometer failed. */
+/** Bit 50. The magnetometer self-test failed. */
 static inline bool mip_gq7_bit_get_mag_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
@@ -1158,7 +1158,7 @@ static inline void mip_gq7_bit_set_mag_self_test_fail(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. The pressure sensor has a fault. */
+/** Bit 52. Pressure sensor fault. */
 static inline bool mip_gq7_bit_get_pressure_sensor_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
@@ -1178,7 +1178,7 @@ static inline void mip_gq7_bit_set_pressure_sensor_over_range(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The self test of the pressure sensor failed. */
+/** Bit 54. The pressure sensor self-test failed. */
 static inline bool mip_gq7_bit_get_pressure_sensor_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
@@ -1188,7 +1188,7 @@ static inline void mip_gq7_bit_set_pressure_sensor_self_test_fail(struct mip_gq7
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
-/** Bit 64. The clock of the filter has failed. */
+/** Bit 64. The filter clock failed. */
 static inline bool mip_gq7_bit_get_filter_clock_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 64, 1);
 }
@@ -1197,7 +1197,7 @@ static inline void mip_gq7_bit_set_filter_clock_fault(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 64, 1, value);
 }
 
-/** Bit 65. The processor of the filter has a fault. */
+/** Bit 65. Filter processor fault. */
 static inline bool mip_gq7_bit_get_filter_hardware_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 65, 1);
 }
@@ -1206,7 +1206,7 @@ static inline void mip_gq7_bit_set_filter_hardware_fault(struct mip_gq7_bit *fla
     mip_set_bits(flags->bytes, 65, 1, value);
 }
 
-/** Bit 66. A cycle of the filter takes too long. */
+/** Bit 66. A filter cycle exceeded its time slot. */
 static inline bool mip_gq7_bit_get_filter_timing_overrun(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
 }
@@ -1215,7 +1215,7 @@ static inline void mip_gq7_bit_set_filter_timing_overrun(struct mip_gq7_bit *fla
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
-/** Bit 67. A cycle of the filter begins too late. */
+/** Bit 67. A filter cycle started too late. */
 static inline bool mip_gq7_bit_get_filter_timing_underrun(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
 }
@@ -1224,7 +1224,7 @@ static inline void mip_gq7_bit_set_filter_timing_underrun(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
-/** Bits 68 to 71. Faults in the communication with the filter. */
+/** Bits 68 to 71. Filter communication errors. */
 static inline uint8_t mip_gq7_bit_get_filter_comm_error(const struct mip_gq7_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 68, 4);
 }
@@ -1233,7 +1233,7 @@ static inline void mip_gq7_bit_set_filter_comm_error(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 68, 4, value);
 }
 
-/** Bit 96. The clock of the GNSS processor has failed. */
+/** Bit 96. The GNSS processor clock failed. */
 static inline bool mip_gq7_bit_get_gnss_clock_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 96, 1);
 }
@@ -1242,7 +1242,7 @@ static inline void mip_gq7_bit_set_gnss_clock_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 96, 1, value);
 }
 
-/** Bit 97. The GNSS processor has a fault. */
+/** Bit 97. GNSS processor fault. */
 static inline bool mip_gq7_bit_get_gnss_hardware_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 97, 1);
 }
@@ -1251,7 +1251,7 @@ static inline void mip_gq7_bit_set_gnss_hardware_fault(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 97, 1, value);
 }
 
-/** Bits 98 to 100. Faults in the communication with the GNSS processor. */
+/** Bits 98 to 100. GNSS processor communication errors. */
 static inline uint8_t mip_gq7_bit_get_gnss_comm_error(const struct mip_gq7_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 98, 3);
 }
@@ -1260,7 +1260,7 @@ static inline void mip_gq7_bit_set_gnss_comm_error(struct mip_gq7_bit *flags, ui
     mip_set_bits(flags->bytes, 98, 3, value);
 }
 
-/** Bit 101. GPS time has a fault. */
+/** Bit 101. GPS time fault. */
 static inline bool mip_gq7_bit_get_gps_time_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 101, 1);
 }
@@ -1269,7 +1269,7 @@ static inline void mip_gq7_bit_set_gps_time_fault(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 101, 1, value);
 }
 
-/** Bit 102. A cycle of the GNSS processor takes too long. */
+/** Bit 102. A GNSS processor cycle exceeded its time slot. */
 static inline bool mip_gq7_bit_get_gnss_timing_overrun(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 102, 1);
 }
@@ -1278,7 +1278,7 @@ static inline void mip_gq7_bit_set_gnss_timing_overrun(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 102, 1, value);
 }
 
-/** Bit 104. The power supply of receiver 1 has a fault. */
+/** Bit 104. Receiver 1 power supply fault. */
 static inline bool mip_gq7_bit_get_receiver_1_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 104, 1);
 }
@@ -1287,7 +1287,7 @@ static inline void mip_gq7_bit_set_receiver_1_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 104, 1, value);
 }
 
-/** Bit 105. Receiver 1 has a fault. */
+/** Bit 105. Receiver 1 fault. */
 static inline bool mip_gq7_bit_get_receiver_1_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
@@ -1296,7 +1296,7 @@ static inline void mip_gq7_bit_set_receiver_1_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 106. Antenna 1 is a short circuit. */
+/** Bit 106. Antenna 1 is shorted. */
 static inline bool mip_gq7_bit_get_antenna_1_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 106, 1);
 }
@@ -1324,7 +1324,7 @@ static inline void mip_gq7_bit_set_receiver_1_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 109. The power supply of receiver 2 has a fault. */
+/** Bit 109. Receiver 2 power supply fault. */
 static inline bool mip_gq7_bit_get_receiver_2_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 109, 1);
 }
@@ -1333,7 +1333,7 @@ static inline void mip_gq7_bit_set_receiver_2_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 109, 1, value);
 }
 
-/** Bit 110. Receiver 2 has a fault. */
+/** Bit 110. Receiver 2 fault. */
 static inline bool mip_gq7_bit_get_receiver_2_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
@@ -1342,7 +1342,7 @@ static inline void mip_gq7_bit_set_receiver_2_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 111. Antenna 2 is a short circuit. */
+/** Bit 111. Antenna 2 is shorted. */
 static inline bool mip_gq7_bit_get_antenna_2_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 111, 1);
 }
@@ -1370,7 +1370,7 @@ static inline void mip_gq7_bit_set_receiver_2_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 
-/** Bit 114. RTCM corrections do not arrive properly. */
+/** Bit 114. RTCM communication fault. */
 static inline bool mip_gq7_bit_get_rtcm_comm_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 114, 1);
 }
@@ -1379,7 +1379,7 @@ static inline void mip_gq7_bit_set_rtcm_comm_fault(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 114, 1, value);
 }
 
-/** Bit 115. The RTK modem has a fault. */
+/** Bit 115. RTK modem fault. */
 static inline bool mip_gq7_bit_get_rtk_dongle_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 115, 1);
 }

@@ -53,10 +53,10 @@ pub static ALL: &[&Profile] = &[
 
 #[rustfmt::skip]
 const CL5_10_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CL5-10
 ///
@@ -150,10 +150,10 @@ pub static CL5_10: Profile = Profile {
 
 #[rustfmt::skip]
 const CL5_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
 
 /// 3DM-CL5-15
 ///
@@ -317,10 +317,10 @@ pub static CL5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const CL5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CL5-25
 ///
@@ -496,13 +496,13 @@ pub static CL5_25: Profile = Profile {
 
 #[rustfmt::skip]
 const CV5_10_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
 #[rustfmt::skip]
 const CV5_10_3: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 145)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 145)." };
 
 /// 3DM-CV5-10
 ///
@@ -597,16 +597,16 @@ pub static CV5_10: Profile = Profile {
 
 #[rustfmt::skip]
 const CV5_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CV5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
 
 /// 3DM-CV5-15
 ///
@@ -770,16 +770,16 @@ pub static CV5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const CV5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CV5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CV5-25
 ///
@@ -955,13 +955,13 @@ pub static CV5_25: Profile = Profile {
 
 #[rustfmt::skip]
 const CV5_45_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-45." };
 #[rustfmt::skip]
 const CV5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CV5-45
 ///
@@ -1176,46 +1176,46 @@ pub static CV5_45: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
 #[rustfmt::skip]
 const CV7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const CV7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
 #[rustfmt::skip]
 const CV7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
 #[rustfmt::skip]
 const CV7_AHRS_5: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
 #[rustfmt::skip]
 const CV7_AHRS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CV7_AHRS_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV7_AHRS_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Program for a 3DM-CV7)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Program for a 3DM-CV7)." };
 #[rustfmt::skip]
 const CV7_AHRS_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const CV7_AHRS_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
 #[rustfmt::skip]
 const CV7_AHRS_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CV7_AHRS_12: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 #[rustfmt::skip]
 const CV7_AHRS_13: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.0.07; ROS driver of the vendor: Issue 257)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.0.07; ROS driver of the vendor: Issue 257)." };
 #[rustfmt::skip]
 const CV7_AHRS_14: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 350)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 350)." };
 
 /// 3DM-CV7-AHRS
 ///
@@ -1500,40 +1500,40 @@ pub static CV7_AHRS: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_AR_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Protocol Support and Specifications)." };
 #[rustfmt::skip]
 const CV7_AR_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const CV7_AR_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by the ROS messages)." };
 #[rustfmt::skip]
 const CV7_AR_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages, linked by a public program)." };
 #[rustfmt::skip]
 const CV7_AR_5: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7 Documentation (AHRS and AR): Field pages)." };
 #[rustfmt::skip]
 const CV7_AR_6: &Evidence =
-    &Evidence { answer: Support::Yes, why: "The device lists it (MicroStrain Communication Library: Issue 258)." };
+    &Evidence { answer: Support::Yes, why: "Listed by the device (MicroStrain Communication Library: Issue 258)." };
 #[rustfmt::skip]
 const CV7_AR_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV7_AR_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const CV7_AR_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
 #[rustfmt::skip]
 const CV7_AR_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CV7_AR_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 #[rustfmt::skip]
 const CV7_AR_12: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 258)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 258)." };
 
 /// 3DM-CV7-AR
 ///
@@ -1809,7 +1809,7 @@ pub static CV7_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_GNSS_INS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 
 /// 3DM-CV7-GNSS/INS
 ///
@@ -2422,37 +2422,37 @@ pub static CV7_GNSS_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const CV7_INS_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const CV7_INS_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Field pages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Field pages)." };
 #[rustfmt::skip]
 const CV7_INS_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-CV7-INS Documentation: Index of the set 0x94, on a test site)." };
 #[rustfmt::skip]
 const CV7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV7_INS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CV7_INS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
 #[rustfmt::skip]
 const CV7_INS_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const CV7_INS_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const CV7_INS_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Notes on a 3DM-CV7-INS, 2026)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Notes on a 3DM-CV7-INS, 2026)." };
 #[rustfmt::skip]
 const CV7_INS_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CV7_INS_11: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CV7-INS
 ///
@@ -2767,13 +2767,13 @@ pub static CV7_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_10_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-10 Data Communications Protocol Manual: Contents)." };
+    &Evidence { answer: Support::Yes, why: "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents)." };
 #[rustfmt::skip]
 const CX5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_10_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CX5-10
 ///
@@ -2869,16 +2869,16 @@ pub static CX5_10: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CX5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
 
 /// 3DM-CX5-15
 ///
@@ -3042,16 +3042,16 @@ pub static CX5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CX5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CX5-25
 ///
@@ -3227,10 +3227,10 @@ pub static CX5_25: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_35_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-35." };
 
 /// 3DM-CX5-35
 ///
@@ -3348,25 +3348,25 @@ pub static CX5_35: Profile = Profile {
 
 #[rustfmt::skip]
 const CX5_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (3DM-CX5-45 Data Communications Protocol Manual: Title)." };
+    &Evidence { answer: Support::Yes, why: "Documented (3DM-CX5-45 Data Communications Protocol Manual: Title)." };
 #[rustfmt::skip]
 const CX5_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const CX5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_45_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
 #[rustfmt::skip]
 const CX5_45_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_45_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-45." };
 #[rustfmt::skip]
 const CX5_45_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CX5-45
 ///
@@ -3568,16 +3568,16 @@ pub static CX5_45: Profile = Profile {
 
 #[rustfmt::skip]
 const CX7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const CX7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CX7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-AHRS
 ///
@@ -3817,16 +3817,16 @@ pub static CX7_AHRS: Profile = Profile {
 
 #[rustfmt::skip]
 const CX7_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const CX7_AR_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CX7_AR_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX7_AR_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-AR
 ///
@@ -4066,16 +4066,16 @@ pub static CX7_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const CX7_INS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const CX7_INS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const CX7_INS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-CX7-INS
 ///
@@ -4369,7 +4369,7 @@ pub static CX7_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const DH3_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-DH3
 ///
@@ -4425,10 +4425,10 @@ pub static DH3: Profile = Profile {
 
 #[rustfmt::skip]
 const GQ4_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GQ4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT and 3DM-GX4-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45." };
 
 /// 3DM-GQ4-45
 ///
@@ -4588,28 +4588,28 @@ pub static GQ4_45: Profile = Profile {
 
 #[rustfmt::skip]
 const GQ7_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the ROS messages)." };
 #[rustfmt::skip]
 const GQ7_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Protocol Support and Specifications)." };
 #[rustfmt::skip]
 const GQ7_3: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GQ7_4: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." };
+    &Evidence { answer: Support::Yes, why: "Documented (MicroStrain 3DM-GQ7 Documentation: Field pages, linked by the wiki of the ROS driver)." };
 #[rustfmt::skip]
 const GQ7_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const GQ7_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const GQ7_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (PX4: Driver of the vendor's sensors)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (PX4: Driver of the vendor's sensors)." };
 #[rustfmt::skip]
 const GQ7_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GQ7-GNSS/INS
 ///
@@ -4959,22 +4959,22 @@ pub static GQ7: Profile = Profile {
 
 #[rustfmt::skip]
 const GV7_AHRS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_AHRS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const GV7_AHRS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GV7_AHRS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const GV7_AHRS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_AHRS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-AHRS
 ///
@@ -5212,22 +5212,22 @@ pub static GV7_AHRS: Profile = Profile {
 
 #[rustfmt::skip]
 const GV7_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_AR_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const GV7_AR_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GV7_AR_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const GV7_AR_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_AR_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-AR
 ///
@@ -5465,22 +5465,22 @@ pub static GV7_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const GV7_INS_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_INS_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver of the vendor: Example configurations)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver of the vendor: Example configurations)." };
 #[rustfmt::skip]
 const GV7_INS_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GV7_INS_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: Fields of event thresholds)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: Fields of event thresholds)." };
 #[rustfmt::skip]
 const GV7_INS_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GV7_INS_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, 3DM-CV7-GNSS/INS." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-CV7-GNSS/INS." };
 
 /// 3DM-GV7-INS
 ///
@@ -5765,10 +5765,10 @@ pub static GV7_INS: Profile = Profile {
 
 #[rustfmt::skip]
 const GX3_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX3_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
 
 /// 3DM-GX3-15
 ///
@@ -5840,19 +5840,19 @@ pub static GX3_15: Profile = Profile {
 
 #[rustfmt::skip]
 const GX3_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX3_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX3_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
 #[rustfmt::skip]
 const GX3_25_4: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 347)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 347)." };
 #[rustfmt::skip]
 const GX3_25_5: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (firmware 2.0.06; ROS driver of the vendor: Issue 213)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213)." };
 
 /// 3DM-GX3-25
 ///
@@ -5952,10 +5952,10 @@ pub static GX3_25: Profile = Profile {
 
 #[rustfmt::skip]
 const GX3_35_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX3_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)." };
 
 /// 3DM-GX3-35
 ///
@@ -6042,13 +6042,13 @@ pub static GX3_35: Profile = Profile {
 
 #[rustfmt::skip]
 const GX3_45_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX3_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX3_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
 
 /// 3DM-GX3-45
 ///
@@ -6174,13 +6174,13 @@ pub static GX3_45: Profile = Profile {
 
 #[rustfmt::skip]
 const GX4_15_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX4_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX4_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX4-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX4-25." };
 
 /// 3DM-GX4-15
 ///
@@ -6340,16 +6340,16 @@ pub static GX4_15: Profile = Profile {
 
 #[rustfmt::skip]
 const GX4_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX4_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (Public programs of users: Driver imu_3dm_gx4)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)." };
 #[rustfmt::skip]
 const GX4_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25." };
 #[rustfmt::skip]
 const GX4_25_4: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 30)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 30)." };
 
 /// 3DM-GX4-25
 ///
@@ -6530,10 +6530,10 @@ pub static GX4_25: Profile = Profile {
 
 #[rustfmt::skip]
 const GX4_45_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25." };
 
 /// 3DM-GX4-45
 ///
@@ -6728,10 +6728,10 @@ pub static GX4_45: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_10_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-GX5-10
 ///
@@ -6825,10 +6825,10 @@ pub static GX5_10: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_15_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GX5_15_2: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 301)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 301)." };
 
 /// 3DM-GX5-15
 ///
@@ -7126,34 +7126,34 @@ pub static GX5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
+    &Evidence { answer: Support::Probable, why: "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
 #[rustfmt::skip]
 const GX5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const GX5_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)." };
 #[rustfmt::skip]
 const GX5_25_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Conditions by model)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Conditions by model)." };
 #[rustfmt::skip]
 const GX5_25_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_25_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
 #[rustfmt::skip]
 const GX5_25_8: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 238)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 238)." };
 #[rustfmt::skip]
 const GX5_25_9: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.1.76; ROS driver of the vendor: Issue 368)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368)." };
 #[rustfmt::skip]
 const GX5_25_10: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 59; MicroStrain Communication Library: Issue 200)." };
 
 /// 3DM-GX5-25
 ///
@@ -7345,13 +7345,13 @@ pub static GX5_25: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_35_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GX5_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_35_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-GX5-35
 ///
@@ -7533,37 +7533,37 @@ pub static GX5_35: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_45_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GX5_45_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it (LORD 3DM-GX5-45 DCP Manual: Single pages)." };
+    &Evidence { answer: Support::Yes, why: "Documented (LORD 3DM-GX5-45 DCP Manual: Single pages)." };
 #[rustfmt::skip]
 const GX5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
 #[rustfmt::skip]
 const GX5_45_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_45_5: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ROS driver microstrain_mips: Table of tested functions)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ROS driver microstrain_mips: Table of tested functions)." };
 #[rustfmt::skip]
 const GX5_45_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX5_45_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)." };
 #[rustfmt::skip]
 const GX5_45_8: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it (MicroStrain MIP SDK: Examples)." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_45_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-15 and 3DM-GX5-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35." };
 #[rustfmt::skip]
 const GX5_45_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 #[rustfmt::skip]
 const GX5_45_11: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (MicroStrain Communication Library: Issue 43)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 43)." };
 
 /// 3DM-GX5-45
 ///
@@ -7851,7 +7851,7 @@ pub static GX5_45: Profile = Profile {
 
 #[rustfmt::skip]
 const MV5_AR_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-MV5-AR
 ///
@@ -7918,10 +7918,10 @@ pub static MV5_AR: Profile = Profile {
 
 #[rustfmt::skip]
 const RQ1_45_LT_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const RQ1_45_LT_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "An example of the vendor for it uses it (MIP SDK of 2014: Examples, one for each model)." };
+    &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 
 /// 3DM-RQ1-45-LT
 ///
@@ -8089,10 +8089,10 @@ pub static RQ1_45_LT: Profile = Profile {
 
 #[rustfmt::skip]
 const RQ1_45_ST_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const RQ1_45_ST_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A nearly equal device has it, 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-RQ1-45-LT." };
 
 /// 3DM-RQ1-45-ST
 ///
@@ -8260,7 +8260,7 @@ pub static RQ1_45_ST: Profile = Profile {
 
 #[rustfmt::skip]
 const RTK_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Software for it uses it (MicroStrain Communication Library: MIP node features)." };
+    &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 
 /// 3DM-RTK
 ///

@@ -12,31 +12,31 @@ pub const SET: u8 = 0x80;
 bitfield! {
     /// Sensor axes that were near or outside their range.
     OverrangeFlags: u16 {
-        /// Accelerometer X axis. Bit 0. Concerns [`ScaledAccel`].
+        /// The accelerometer x axis is near or outside its range. Bit 0. Concerns [`ScaledAccel`].
         ACCEL_X: bool = 0,
             accel_x, set_accel_x, with_accel_x;
-        /// Accelerometer Y axis. Bit 1. Concerns [`ScaledAccel`].
+        /// The accelerometer y axis is near or outside its range. Bit 1. Concerns [`ScaledAccel`].
         ACCEL_Y: bool = 1,
             accel_y, set_accel_y, with_accel_y;
-        /// Accelerometer Z axis. Bit 2. Concerns [`ScaledAccel`].
+        /// The accelerometer z axis is near or outside its range. Bit 2. Concerns [`ScaledAccel`].
         ACCEL_Z: bool = 2,
             accel_z, set_accel_z, with_accel_z;
-        /// Gyroscope X axis. Bit 4. Concerns [`ScaledGyro`].
+        /// The gyroscope x axis is near or outside its range. Bit 4. Concerns [`ScaledGyro`].
         GYRO_X: bool = 4,
             gyro_x, set_gyro_x, with_gyro_x;
-        /// Gyroscope Y axis. Bit 5. Concerns [`ScaledGyro`].
+        /// The gyroscope y axis is near or outside its range. Bit 5. Concerns [`ScaledGyro`].
         GYRO_Y: bool = 5,
             gyro_y, set_gyro_y, with_gyro_y;
-        /// Gyroscope Z axis. Bit 6. Concerns [`ScaledGyro`].
+        /// The gyroscope z axis is near or outside its range. Bit 6. Concerns [`ScaledGyro`].
         GYRO_Z: bool = 6,
             gyro_z, set_gyro_z, with_gyro_z;
-        /// Magnetometer X axis. Bit 8. Concerns [`ScaledMag`].
+        /// The magnetometer x axis is near or outside its range. Bit 8. Concerns [`ScaledMag`].
         MAG_X: bool = 8,
             mag_x, set_mag_x, with_mag_x;
-        /// Magnetometer Y axis. Bit 9. Concerns [`ScaledMag`].
+        /// The magnetometer y axis is near or outside its range. Bit 9. Concerns [`ScaledMag`].
         MAG_Y: bool = 9,
             mag_y, set_mag_y, with_mag_y;
-        /// Magnetometer Z axis. Bit 10. Concerns [`ScaledMag`].
+        /// The magnetometer z axis is near or outside its range. Bit 10. Concerns [`ScaledMag`].
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
         /// Pressure sensor. Bit 12. Concerns [`ScaledPressure`].

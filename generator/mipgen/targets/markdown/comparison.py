@@ -126,7 +126,7 @@ def supported(d: m.Device, s: m.Support | None) -> str:
 
 def missing(d: m.Device) -> str:
     """What a device is not said to have; only of a whole profile that means that it does not have it."""
-    return UNKNOWN if d.incomplete else NO
+    return UNKNOWN if d.absent == "unknown" else NO
 
 
 def units(f: m.Field) -> list[str]:

@@ -15,7 +15,7 @@ MODEL_A = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 07 08 09 0A 0B 0D"),
                 0x0C: bytes.fromhex("10"),
@@ -58,7 +58,7 @@ MODEL_B = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {0x01: bytes.fromhex("01 02 04"), 0x80: bytes.fromhex("01")},
         ),
     ),
@@ -83,7 +83,7 @@ MODEL_C = Device(
         Evidence(
             Support.YES,
             "documented",
-            "Its documentation has it.",
+            "Documented.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06 07 09 0A 0B 0D"),
                 0x80: bytes.fromhex("01 02 03 04 05 06 07 08 0A"),
@@ -94,20 +94,20 @@ MODEL_C = Device(
         Evidence(
             Support.YES,
             "listed",
-            "The device lists it (firmware 1.0.07; 2026-11-23).",
+            "Listed by the device (firmware 1.0.07; 2026-11-23).",
             {0x01: bytes.fromhex("0E")},
             ((1, 110), (1, 111)),
         ),
         Evidence(
             Support.PROBABLE,
             "transcribed",
-            "A list by others after its manual has it (Kit of names: Names). It names tools.hello.",
+            "Listed by others after the manual (Kit of names: Names). It names tools.hello.",
             {0x01: bytes.fromhex("0C"), 0x92: bytes.fromhex("01")},
         ),
         Evidence(
             Support.NO,
             "refused",
-            "The device refuses it (firmware 1.2).",
+            "Rejected by the device (firmware 1.2).",
             {0x01: bytes.fromhex("08")},
         ),
     ),
@@ -133,13 +133,11 @@ OLD_1 = Device(
     description="Known by its name and number.",
     model_number=4001,
     evidence=(
-        Evidence(
-            Support.YES, "documented", "Its documentation has it.", {0x01: bytes.fromhex("01")}
-        ),
+        Evidence(Support.YES, "documented", "Documented.", {0x01: bytes.fromhex("01")}),
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, Model A and Model B.",
+            "Supported by devices of the same generation, Model A and Model B.",
             {0x80: bytes.fromhex("02")},
         ),
     ),
@@ -163,7 +161,7 @@ OLD_2 = Device(
         Evidence(
             Support.PROBABLE,
             "family",
-            "Devices of its generation have it, Model A and Model B.",
+            "Supported by devices of the same generation, Model A and Model B.",
             {0x01: bytes.fromhex("01"), 0x80: bytes.fromhex("02")},
         ),
     ),

@@ -6,7 +6,7 @@
 /* Model A. */
 
 static const struct mip_profile_evidence model_a_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Documented."},
 };
 
 static const struct mip_profile_field model_a_fields[] = {
@@ -91,7 +91,7 @@ const struct mip_profile mip_profile_model_a = {
 /* Model B. */
 
 static const struct mip_profile_evidence model_b_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
+    {MIP_SUPPORT_YES, "Documented."},
 };
 
 static const struct mip_profile_field model_b_fields[] = {
@@ -150,11 +150,11 @@ static const char *const model_c_also[] = {
 };
 
 static const struct mip_profile_evidence model_c_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_YES, "The device lists it (firmware 1.0.07; 2026-11-23)."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_YES, "Listed by the device (firmware 1.0.07; 2026-11-23)."},
     {MIP_SUPPORT_PROBABLE,
-     "A list by others after its manual has it (Kit of names: Names). It names tools.hello."},
-    {MIP_SUPPORT_NO, "The device refuses it (firmware 1.2)."},
+     "Listed by others after the manual (Kit of names: Names). It names tools.hello."},
+    {MIP_SUPPORT_NO, "Rejected by the device (firmware 1.2)."},
 };
 
 static const struct mip_profile_field model_c_fields[] = {
@@ -239,8 +239,8 @@ static const char *const old_1_incomplete[] = {
 };
 
 static const struct mip_profile_evidence old_1_evidence[] = {
-    {MIP_SUPPORT_YES, "Its documentation has it."},
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, Model A and Model B."},
+    {MIP_SUPPORT_YES, "Documented."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, Model A and Model B."},
 };
 
 static const struct mip_profile_field old_1_fields[] = {
@@ -284,7 +284,7 @@ static const char *const old_2_incomplete[] = {
 };
 
 static const struct mip_profile_evidence old_2_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Devices of its generation have it, Model A and Model B."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, Model A and Model B."},
 };
 
 static const struct mip_profile_field old_2_fields[] = {

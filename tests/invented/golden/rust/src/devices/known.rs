@@ -17,7 +17,7 @@ pub static ALL: &[&Profile] = &[
 
 #[rustfmt::skip]
 const MODEL_A_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 
 /// Model A
 ///
@@ -128,7 +128,7 @@ pub static MODEL_A: Profile = Profile {
 
 #[rustfmt::skip]
 const MODEL_B_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 
 /// Model B
 ///
@@ -191,16 +191,16 @@ pub static MODEL_B: Profile = Profile {
 
 #[rustfmt::skip]
 const MODEL_C_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const MODEL_C_2: &Evidence =
-    &Evidence { answer: Support::Yes, why: "The device lists it (firmware 1.0.07; 2026-11-23)." };
+    &Evidence { answer: Support::Yes, why: "Listed by the device (firmware 1.0.07; 2026-11-23)." };
 #[rustfmt::skip]
 const MODEL_C_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "A list by others after its manual has it (Kit of names: Names). It names tools.hello." };
+    &Evidence { answer: Support::Probable, why: "Listed by others after the manual (Kit of names: Names). It names tools.hello." };
 #[rustfmt::skip]
 const MODEL_C_4: &Evidence =
-    &Evidence { answer: Support::No, why: "The device refuses it (firmware 1.2)." };
+    &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.2)." };
 
 /// Model C
 ///
@@ -327,10 +327,10 @@ pub static MODEL_C: Profile = Profile {
 
 #[rustfmt::skip]
 const OLD_1_1: &Evidence =
-    &Evidence { answer: Support::Yes, why: "Its documentation has it." };
+    &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const OLD_1_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, Model A and Model B." };
 
 /// Old 1
 ///
@@ -372,7 +372,7 @@ pub static OLD_1: Profile = Profile {
 
 #[rustfmt::skip]
 const OLD_2_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Devices of its generation have it, Model A and Model B." };
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, Model A and Model B." };
 
 /// Old 2
 ///
