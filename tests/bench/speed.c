@@ -6,20 +6,11 @@
 #include "mip/sensor.h"
 #include "mip/shared.h"
 #include "plain.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "rounds.h"
 
 enum { CHUNK = 4096,
        SMALL = 64,
        BUILT = 44 };
-
-/** Keeps the compiler from leaving out what has been computed, without an instruction. */
-static void use(const void *value) {
-    __asm__ volatile("" : : "r"(value) : "memory");
-}
 
 /** The known fields of the log. */
 #define FIELDS(X)                                                       \
@@ -177,10 +168,6 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
     }                                                              \
     return built
 
-#define FUNCTION(name)                             \
-    size_t name(const uint8_t *data, size_t size); \
-    size_t name(const uint8_t *data, size_t size)
-
 FUNCTION(ours_parse) {
     return parse(data, size, CHUNK, NULL);
 }
@@ -267,45 +254,10 @@ FUNCTION(plain_build) {
     return built;
 }
 
-#define ROW(name) {#name, name}
-static const struct {
-    const char *name;
-    size_t (*run)(const uint8_t *data, size_t size);
-} ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
+static const struct row ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
             ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_each), ROW(ours_three), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
             ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
 
-int main(int count, char **arguments) {
-    FILE *file = count == 4 ? fopen(arguments[1], "rb") : NULL;
-    if (file == NULL) {
-        return 2;
-    }
-    fseek(file, 0, SEEK_END);
-    const size_t size = (size_t)ftell(file);
-    uint8_t *data = malloc(size);
-    rewind(file);
-    if (data == NULL || fread(data, 1, size, file) != size) {
-        return 2;
-    }
-    fclose(file);
-    for (size_t row = 0; row < sizeof(ROWS) / sizeof(ROWS[0]); row++) {
-        if (strcmp(ROWS[row].name, arguments[2]) == 0) {
-            double best = 1e18;
-            size_t found = 0;
-            for (long round = strtol(arguments[3], NULL, 10); round > 0; round--) {
-                struct timespec begin;
-                struct timespec end;
-                clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
-                found = ROWS[row].run(data, size);
-                clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
-                const double time = (double)(end.tv_sec - begin.tv_sec) * 1e9 +
-                                    (double)(end.tv_nsec - begin.tv_nsec);
-                best = time < best ? time : best;
-            }
-            printf("%.0f %zu\n", best, found);
-            free(data);
-            return 0;
-        }
-    }
-    return 2;
+int main(int arguments, char **given) {
+    return run_rounds(ROWS, sizeof(ROWS) / sizeof(ROWS[0]), arguments, given);
 }

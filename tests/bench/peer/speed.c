@@ -5,17 +5,9 @@
 #include "mip/mip_dispatch.h"
 #include "mip/mip_field.h"
 #include "mip/mip_parser.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "rounds.h"
 
 static size_t count;
-
-static void use(const void *value) {
-    __asm__ volatile("" : : "r"(value) : "memory");
-}
 
 static bool on_packet(void *user, const mip_packet_view *packet, mip_timestamp time) {
     (void)user, (void)time;
@@ -102,10 +94,6 @@ static size_t parse(const uint8_t *data, size_t size, size_t chunk, mip_packet_c
     return count;
 }
 
-#define FUNCTION(name)                             \
-    size_t name(const uint8_t *data, size_t size); \
-    size_t name(const uint8_t *data, size_t size)
-
 FUNCTION(peer_parse) {
     return parse(data, size, 4096, on_packet);
 }
@@ -130,45 +118,8 @@ FUNCTION(peer_three) {
     return parse(data, size, 4096, on_three);
 }
 
-#define ROW(name) {#name, name}
-static const struct {
-    const char *name;
-    size_t (*run)(const uint8_t *data, size_t size);
-} ROWS[] = {ROW(peer_parse), ROW(peer_small), ROW(peer_all), ROW(peer_three)};
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return (double)time.tv_sec * 1e9 + (double)time.tv_nsec;
-}
+static const struct row ROWS[] = {ROW(peer_parse), ROW(peer_small), ROW(peer_all), ROW(peer_three)};
 
 int main(int arguments, char **given) {
-    FILE *file = arguments == 4 ? fopen(given[1], "rb") : NULL;
-    if (file == NULL) {
-        return 2;
-    }
-    fseek(file, 0, SEEK_END);
-    const size_t size = (size_t)ftell(file);
-    uint8_t *data = malloc(size);
-    rewind(file);
-    if (data == NULL || fread(data, 1, size, file) != size) {
-        return 2;
-    }
-    fclose(file);
-    for (size_t row = 0; row < sizeof(ROWS) / sizeof(ROWS[0]); row++) {
-        if (strcmp(ROWS[row].name, given[2]) == 0) {
-            double best = 1e18;
-            size_t found = 0;
-            for (long round = strtol(given[3], NULL, 10); round > 0; round--) {
-                const double begin = now();
-                found = ROWS[row].run(data, size);
-                const double time = now() - begin;
-                best = time < best ? time : best;
-            }
-            printf("%.0f %zu\n", best, found);
-            free(data);
-            return 0;
-        }
-    }
-    return 2;
+    return run_rounds(ROWS, sizeof(ROWS) / sizeof(ROWS[0]), arguments, given);
 }
