@@ -40,6 +40,7 @@ UNREACHABLE = {
         "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set has a field; write one, in a file of sets/')":
         "test_no_field_at_all",
+    "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",
     "evidence: raise Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":

@@ -11,22 +11,15 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import jsonschema
 import pytest
-import referencing
 import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
-from mipgen.read.loader import ACCEPTED, LAYOUT, WITNESSES, _schema
-from mipgen.read.nodes import read
-from mipgen.read.problems import Problems
-from mipgen.read.schemas import breaches
-from mipgen.read.schemas import schemas as known
-from random_values import chance
-from support import NIGHTLY, model
+from mipgen.read.loader import ACCEPTED, LAYOUT, WITNESSES
+from support import model
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "spec/schema"
@@ -109,52 +102,6 @@ def test_every_pattern_has_words(path: Path) -> None:
     schema = json.loads(path.read_text("utf-8"))
     patterns = [s for key, s in rules(schema) if key == "pattern"]
     assert all(s in schema.get("definitions", {}).values() and s["description"][-1] != "." for s in patterns)
-
-
-def judge(kind: str) -> Any:
-    """The library's judge of a kind of file, with the two rules that are stricter here."""
-
-    def matches(_: Any, pattern: str, value: Any, __: Any) -> Iterator[Any]:
-        if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
-            yield jsonschema.ValidationError("")
-
-    def integer(_: Any, value: Any) -> bool:
-        return isinstance(value, int) and not isinstance(value, bool)
-
-    every = [(path.name, referencing.Resource.from_contents(json.loads(path.read_text("utf-8")))) for path in schemas()]
-    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", integer)
-    strict: Any = jsonschema.validators.extend(jsonschema.Draft7Validator, {"pattern": matches}, type_checker=types)
-    registry: Any = referencing.Registry().with_resources(every)
-    return strict(dict(every)[f"{kind}.schema.json"].contents, registry=registry)
-
-
-def damaged(value: Any, random: Random) -> Any:
-    """The value with one of its parts replaced, dropped or named differently."""
-    if isinstance(value, (dict, list)) and value and random.random() < 0.9:
-        keys = list(value) if isinstance(value, dict) else range(len(value))
-        key = random.choice(keys)
-        kept = [k for k in keys if k != key or random.random() < 0.9]
-        pairs = [(k, damaged(value[k], random) if k == key else value[k]) for k in kept]
-        if isinstance(value, list):
-            return [v for _, v in pairs]
-        return {(random.choice(["", "A b", "x", k]) if k == key and random.random() < 0.1 else k): v for k, v in pairs}
-    plain = [None, True, 0, 1, -1, 300, 1.0, "", "x", "x\n", "0x0C", "A b."]
-    return random.choice([*plain, [], [value], {}, {"x": value}])
-
-
-INVENTED = [(kind, path) for kind, path in FILES if path.is_relative_to(ROOT / "tests/invented")]
-
-
-@pytest.mark.parametrize(("kind", "path"), INVENTED, ids=lambda x: x if isinstance(x, str) else x.stem)
-def test_the_rules_are_those_of_json_schema(kind: str, path: Path) -> None:
-    """The library and the generator find the same in a file, and in damaged ones."""
-    root = read(path, path.name, Problems())
-    assert root is not None
-    kind = _schema(kind, root, False)
-    whole, library, random = root.plain(), judge(kind), chance(path.name)
-    for value in (whole, *(damaged(whole, random) for _ in range(500 if NIGHTLY else 20))):
-        wanted = {(e.validator, *e.absolute_path) for e in library.iter_errors(value)}
-        assert {(b.rule, *b.path) for b in breaches(known()[kind], value)} == wanted
 
 
 def lists() -> dict[str, list[str]]:

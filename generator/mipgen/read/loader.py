@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import functools
+import json
 import pickle
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from mipgen.base import cache, fingerprint
+from mipgen.base import cache, fingerprint, resources
 from mipgen.base.resources import MANIFEST
 
 from . import overlay
@@ -16,7 +18,6 @@ from .documents import Document
 from .nodes import Node, read
 from .position import Position
 from .problems import Problems, close, nearest
-from .schemas import Breach, Schema, breaches, schemas
 from .spelling import strange
 
 #: Words that other YAML parsers read as true and false.
@@ -82,7 +83,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
                     continue
                 of = _schema(kind, root, over)
                 before = len(problems)
-                if not _valid(schemas()[of], root, problems):
+                if not _valid(_validators()[of], root, "the file", problems):
                     continue
                 if known and len(problems) == before:
                     valid[known] = pickle.dumps((of, root), 5)
@@ -106,7 +107,7 @@ def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
 def load_witness(path: Path, problems: Problems) -> Document | None:
     """Reads one witness, which may lie anywhere; None if it cannot be read."""
     root = read(path, shown(path), problems)
-    valid = root is not None and _valid(schemas()["witness"], root, problems)
+    valid = root is not None and _valid(_validators()["witness"], root, "the file", problems)
     return Document("witness", path.name, root) if root is not None and valid else None
 
 
@@ -153,62 +154,95 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 
+def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
+    """JSON Schema's `$` is the end of the text; Python's is also before a line break at its end."""
+    import jsonschema
+
+    if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
+        yield jsonschema.ValidationError(f"{value!r} does not match {pattern!r}")
+
+
+def _is_integer(_: Any, value: Any) -> bool:
+    """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+@functools.cache
+def _validators() -> dict[str, Any]:
+    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known."""
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    registry: referencing.Registry[Any] = referencing.Registry().with_resources(
+        (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
+    )
+    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
+
+
 # --------------------------------------------------------------------------- schema errors in words
 
 
-def _valid(schema: Schema, root: Node, problems: Problems) -> bool:
-    found = list(breaches(schema, root.plain()))
-    for breach in found:
-        for key, message in messages(breach, "the file"):
-            problems.add(root.value_at([*breach.path]) if key is None else root.at([*breach.path, key]), message)
-    return not found
+def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
+    errors = list(validator.iter_errors(root.plain()))
+    for error in errors:
+        path = list(error.absolute_path)
+        for extra, message in messages(error, name):
+            problems.add(root.at([*path, *extra]) if extra else root.value_at(path), message)
+    return not errors
 
 
 _ALONE = "; write the number alone if the name says it all"
 
 
-def messages(breach: Breach, root: str) -> Iterator[tuple[str | None, str]]:
+def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
-    rule, asks, schema, value = breach.rule, breach.asks, breach.schema, breach.value
-    inside = _inside(breach.path, root)
-    if breach.name:
-        yield value, f"the name '{value}' must be {_form(schema) or asks}{strange(value)}"
+    instance, schema, rule = error.instance, error.schema, error.validator_value
+    inside = _inside(list(error.absolute_path), root)
+    if "propertyNames" in error.absolute_schema_path:
+        yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
         return
-    match rule:
+    match error.validator:
         case "additionalProperties":
             known = schema.get("properties", {})
-            for key in sorted(set(value) - set(known)):
+            for key in sorted(set(instance) - set(known)):
                 rest = "; if it ends the text before it, put the whole text in quotes"
-                yield key, f"unknown key '{key}'{rest if value[key] is None else nearest(key, known)}"
+                yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
         case "required":
-            for key in asks:
-                if key not in value:
+            for key in rule:
+                if key not in instance:
                     alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
-                    yield None, f"'{key}' is missing in {inside}{alone}"
+                    yield [], f"'{key}' is missing in {inside}{alone}"
         case "type":
-            kinds = [asks] if isinstance(asks, str) else asks
+            kinds = [rule] if isinstance(rule, str) else rule
             wanted = _form(schema) or _kinds(kinds)
-            yield None, f"{inside} must be {wanted}, not {_shown(value)}{_instead(value, kinds)}"
+            yield [], f"{inside} must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
-            known = [str(x) for x in asks]
-            yield None, f"{inside} must be {' or '.join(known)}, not {_shown(value)}{close(str(value), known)}"
+            known = [str(x) for x in rule]
+            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
-            yield None, f"{inside} must be {_shown(asks)}, or be left out, not {_shown(value)}"
+            yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":
-            yield None, f"{inside} must be {_form(schema) or asks}, not {_shown(value)}{strange(value)}"
+            yield [], f"{inside} must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
         case "minimum":
-            yield None, f"{inside} must be at least {asks}, not {_shown(value)}"
+            yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
         case "exclusiveMinimum":
-            yield None, f"{inside} must be more than {asks}, not {_shown(value)}"
+            yield [], f"{inside} must be more than {rule}, not {_shown(instance)}"
         case "maximum":
-            yield None, f"{inside} must be at most {asks}, not {_shown(value)}"
+            yield [], f"{inside} must be at most {rule}, not {_shown(instance)}"
         case "minItems" | "minProperties" | "minLength":
-            yield None, f"{inside} must not be empty" if asks == 1 else f"{inside} must have at least {asks} items"
+            yield [], f"{inside} must not be empty" if rule == 1 else f"{inside} must have at least {rule} items"
         case "maxItems" | "maxProperties":
-            yield None, f"{inside} must have at most {asks} item{'s' if asks != 1 else ''}"
+            yield [], f"{inside} must have at most {rule} item{'s' if rule != 1 else ''}"
+        case _:
+            yield [], f"{inside}: {error.message}"
 
 
-def _inside(path: Sequence[str | int], root: str) -> str:
+def _inside(path: list[str | int], root: str) -> str:
     """What an error is about: a key, or the item of a list."""
     key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
