@@ -192,7 +192,7 @@ def title_of(f: m.Field, given: GivenValues) -> str:
 
 
 def _same_form(p: m.Parameter, q: m.Parameter) -> bool:
-    return p.element == q.element and p.length == q.length and alike(p.cases, q.cases)
+    return p.element is q.element and p.length == q.length and alike(p.cases, q.cases)
 
 
 def _state(values: codec.Values, p: m.Parameter, value: object) -> None:

@@ -217,11 +217,14 @@ class Model:
 
     @kept
     def _changes(self) -> dict[str, tuple[Field, ...]]:
-        return _grouped((_name(x), f) for f in self.fields for x in dict.fromkeys(self.affected(f)))
+        return _grouped((name, f) for f in self.fields for name in self._names_affected(f, certain=True))
 
     @kept
     def _may_change(self) -> dict[str, tuple[Field, ...]]:
-        return _grouped((_name(x), f) for f in self.fields for x in dict.fromkeys(self.affected(f, certain=False)))
+        return _grouped((name, f) for f in self.fields for name in self._names_affected(f, certain=False))
+
+    def _names_affected(self, f: Field, certain: bool) -> dict[str, None]:
+        return dict.fromkeys(map(_name, self.affected(f, certain)))
 
     @kept
     def _flags(self) -> dict[str, tuple[tuple[Bitfield, Bits], ...]]:

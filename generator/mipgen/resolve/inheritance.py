@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from mipgen import model as m
 from mipgen.read.nodes import Node
@@ -79,13 +80,18 @@ def _orphan(node: Node) -> Node:
     return replace(node, value={"description": reason, **node.value, "incomplete": Node([reason], reason.position)})
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Heir:
     own: Node
     parent: Node
     like: str
     model: m.Model
     problems: Problems
+
+    @cached_property
+    def kinds(self) -> dict[str, str]:
+        """What the other profile says of each field."""
+        return _kinds(self.parent)
 
     def node(self) -> Node:
         value = {key: node for key, node in self.own.items() if key not in ("lacks", "without")}
@@ -116,7 +122,7 @@ class _Heir:
     def lacked(self) -> set[str]:
         """The fields that the other has and this one has not."""
         names = set()
-        known = {*_fields(self.parent.get("supports")), *_kinds(self.parent)}
+        known = {*_fields(self.parent.get("supports")), *self.kinds}
         for full, entry in _fields(self.own.get("lacks")).items():
             if full not in known:
                 near = nearest(full, known)
@@ -177,7 +183,7 @@ class _Heir:
 
     def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
         """What is said of a field must be more than is inherited: stronger, or the contrary. A device lists all."""
-        inherited = _kinds(self.parent).get(full)
+        inherited = self.kinds.get(full)
         if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
         if m.strength(kind) >= m.strength(inherited):

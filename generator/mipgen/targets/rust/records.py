@@ -149,7 +149,7 @@ class Records:
         return union
 
     def _union(self, of: m.Union, here: str) -> Union | None:
-        same = (u for u in self.unions if home(u.record) == here and u.of.type == of.type)
+        same = (u for u in self.unions if home(u.record) == here and u.of.type is of.type)
         return next((u for u in same if alike(u.of.cases, of.cases)), None)
 
     def rust(self, p: m.Parameter, here: str) -> str:
