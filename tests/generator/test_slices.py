@@ -101,19 +101,28 @@ def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path
             return
 
 
-def test_only_what_shows_a_description_is_made_again(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        pytest.param("sets/measurements.yaml", "Specific force.", id="parameter"),
+        pytest.param("sets/tools.yaml", "Commands of every shape.", id="set"),
+        pytest.param("sets/tools.yaml", "Which member the union has.", id="type of a union's tag"),
+        pytest.param("types/types.yaml", "What the device does.", id="type"),
+    ],
+)
+def test_only_what_shows_a_description_is_made_again(file: str, text: str, tmp_path: Path) -> None:
     runs = Runs(SPECS["invented"][0], tmp_path)
     runs.run()
     runs.run()
     assert not any(runs.made.values())
     before = {name: runs.files(name) for name in TARGETS}
-    runs.replace("sets/measurements.yaml", "description: Specific force.", "description: Specific forces.")
+    runs.replace(file, text, text.replace("e", "ee", 1))
     runs.run()
     for name in TARGETS:
         after = runs.files(name)
         assert after.keys() == before[name].keys()
         assert runs.made[name] - {PLAN} == {path for path in after if after[path] != before[name][path]}, name
-    assert all(runs.made.values())
+    assert any(runs.made.values())
 
 
 def test_another_shape_makes_all_again_that_reads_the_part(tmp_path: Path) -> None:

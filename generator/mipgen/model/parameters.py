@@ -148,8 +148,9 @@ class Parameter:
         return tuple(c.parameter for c in self.cases if c.parameter is not None)
 
     def alike(self, other: Parameter) -> bool:
-        """Do they differ at most in their places?"""
-        return all(getattr(self, f.name) == getattr(other, f.name) for f in fields(self) if f.compare)
+        """Do they differ at most in their places? Of a type that both have nothing is read."""
+        pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self) if f.compare)
+        return all(a is b or a == b for a, b in pairs)
 
     # ------------------------------------------------------------------ how it is read and written
 

@@ -226,10 +226,10 @@ class Records:
         here, members = home(record), {x.parameter.name: x for x in self.members(record)}
         readings = []
         for x in members.values():
-            for t in dict.fromkeys(v.type for v in x.parameter.readings):
+            for t in {id(v.type): v.type for v in x.parameter.readings}.values():
                 if t is None or inner(t) != raw(x):
                     continue
-                variants = tuple(v for v in x.parameter.readings if v.type == t)
+                variants = tuple(v for v in x.parameter.readings if v.type is t)
                 by = {v.by for v in variants}
                 tag = None if m.DEVICE in by else members[by.pop()]
                 readings.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
