@@ -353,7 +353,7 @@ class GetModemFirmwareVersionResponse(Response):
     ROLE = "response"
 
     modem_firmware_version: str
-    """Firmware version."""
+    """Firmware version of the modem, not of the dongle."""
 
     def __init__(self, modem_firmware_version: str) -> None:
         self.modem_firmware_version = modem_firmware_version

@@ -210,6 +210,10 @@ class ScaledAccel(Data):
     3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
     3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
+    Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both
+    manuals print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is −0.998
+    g.
+
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
     """
@@ -944,7 +948,10 @@ class NorthVector(Data):
     _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
-    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
+    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The
+    SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes
+    lack this vector.
+    """
 
     def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
@@ -978,6 +985,7 @@ class UpVector(Data):
     a sensor-to-vehicle transformation changes.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
+    - mip-sdk-4: Complementary filter stabilized up vector (0x80,0x11)
     """
 
     __slots__ = ("stabilized_accel",)
@@ -992,8 +1000,10 @@ class UpVector(Data):
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
-    """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-    sensor. At rest and level: x 0, y 0, z -1.
+    """The inverse of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit:
+    g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
+    vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
+    vector.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
@@ -1230,7 +1240,7 @@ class ScaledPressure(Data):
     _LAYOUT = (("scaled_pressure", "f", None),)
 
     scaled_pressure: float
-    """Ambient pressure. Unit: mbar."""
+    """Ambient pressure. Unit: mbar. Range: at least 0."""
 
     def __init__(self, scaled_pressure: float) -> None:
         self.scaled_pressure = scaled_pressure

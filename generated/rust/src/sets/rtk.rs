@@ -636,7 +636,7 @@ record! {
     /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersionResponse {
-        /// Firmware version.
+        /// Firmware version of the modem, not of the dongle.
         pub modem_firmware_version: crate::Text<32>,
     }
 }

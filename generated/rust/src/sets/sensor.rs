@@ -174,6 +174,10 @@ record! {
     /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
+    /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both
+    ///   manuals print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is
+    ///   −0.998 g.
+    ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
     #[derive(Copy, Default)]
@@ -756,7 +760,9 @@ record! {
     pub struct NorthVector {
         /// Geomagnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor.
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The SDK has the
+        /// vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack
+        /// this vector.
         pub stabilized_mag: types::Vector3f,
     }
 }
@@ -785,12 +791,15 @@ record! {
     /// - At rest it equals the measured acceleration, as long as that is in the sensor frame, too,
     ///   which a sensor-to-vehicle transformation changes.
     ///
-    /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
+    /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11); mip-sdk-4: Complementary
+    /// filter stabilized up vector (0x80,0x11).
     #[derive(Copy, Default)]
     pub struct UpVector {
-        /// The part of the measured acceleration that gravity causes.
+        /// The inverse of the gravity vector, as the accelerometers measure it.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain:
+        /// The frame. The SDK has the vehicle frame, but the lists of what the sensor-to-vehicle
+        /// transformation changes lack this vector.
         pub stabilized_accel: types::Vector3f,
     }
 }
@@ -971,7 +980,7 @@ record! {
     pub struct ScaledPressure {
         /// Ambient pressure.
         ///
-        /// Unit: mbar.
+        /// Unit: mbar. Range: at least 0.
         pub scaled_pressure: f32,
     }
 }
