@@ -222,7 +222,7 @@ def test_most_random_changes_are_found() -> None:
     """One of each kind; `python tests/witness_changes.py` makes 200."""
     found = run(rounds(11, 200), SEED, False)
     missed = [str(place) for place, by in found if not by]
-    assert 2 * len(missed) < len(found), missed
+    assert 5 * len(missed) < len(found), missed
 
 
 # --------------------------------------------------------------------------- tables of manuals

@@ -1358,7 +1358,8 @@ class GpsTime(Shared, Data):
     GPS time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    (0x94) and gnss_external_2 (0x95). Flagged by `types.Gq7ContinuousBuiltInTest.GPS_TIME_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
     3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45,
     3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -1478,9 +1479,22 @@ class FixInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
-    `gnss.SignalConfig` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    `gnss.SignalConfig` and `gnss.RtkConfig`. Flagged by
+    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_1_STALL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_2_STALL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Gq7ContinuousBuiltInTest` and
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused
+    by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1682,9 +1696,13 @@ class HardwareStatus(Shared, Data):
     State of the receiver and of its antenna.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-35.
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_SHORTED` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_OPEN` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_SHORTED` of `types.Gq7ContinuousBuiltInTest` and
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_OPEN` of `types.Gq7ContinuousBuiltInTest`. Supported
+    by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -3259,7 +3277,9 @@ class RtkCorrectionsStatus(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
-    `gnss.SpartnConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-GX5-25.
+    `gnss.SpartnConfig`. Flagged by `types.Gq7ContinuousBuiltInTest.RTCM_COMM_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by
+    3DM-GX5-25.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)

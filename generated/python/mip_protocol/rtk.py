@@ -439,8 +439,9 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     Gets the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`. Probably supported by 3DM-RTK. Known only from the
-    MicroStrain MIP SDK.
+    Answered by `GetStatusFlagsResponse`. Flagged by
+    `types.Gq7ContinuousBuiltInTest.RTK_DONGLE_FAULT` of `types.Gq7ContinuousBuiltInTest`. Probably
+    supported by 3DM-RTK. Known only from the MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 

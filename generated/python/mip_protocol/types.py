@@ -111,9 +111,9 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
     """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
-    """No data from internal receiver 1 in time. Bit 25."""
+    """No data from internal receiver 1 in time. Bit 25. Concerns `gnss_data.FixInfo`."""
     GNSS_RECEIVER_2_STALL = 1 << 26
-    """No data from internal receiver 2 in time. Bit 26."""
+    """No data from internal receiver 2 in time. Bit 26. Concerns `gnss_data.FixInfo`."""
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
@@ -158,13 +158,17 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FILTER_TIMING_UNDERRUN = 1 << 67
     """Filter processes are skipped. Bit 67."""
     RECEIVER_1_FAULT = 1 << 105
-    """No communication with internal receiver 1. Bit 105."""
+    """No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`."""
     RECEIVER_1_NO_SOLUTION = 1 << 108
-    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108."""
+    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Concerns
+    `gnss_data.FixInfo`.
+    """
     RECEIVER_2_FAULT = 1 << 110
-    """No communication with internal receiver 2. Bit 110."""
+    """No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_NO_SOLUTION = 1 << 113
-    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113."""
+    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Concerns
+    `gnss_data.FixInfo`.
+    """
 
 
 @codec.open_flag(128)
@@ -326,33 +330,33 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     GNSS_COMM_ERROR = 0x1C000000000000000000000000
     """GNSS processor communication errors. Bits 98 to 100."""
     GPS_TIME_FAULT = 1 << 101
-    """GPS time fault. Bit 101."""
+    """GPS time fault. Bit 101. Concerns `gnss_data.GpsTime`."""
     GNSS_TIMING_OVERRUN = 1 << 102
     """A GNSS processor cycle exceeded its time slot. Bit 102."""
     RECEIVER_1_POWER_FAULT = 1 << 104
-    """Receiver 1 power supply fault. Bit 104."""
+    """Receiver 1 power supply fault. Bit 104. Concerns `gnss_data.FixInfo`."""
     RECEIVER_1_FAULT = 1 << 105
-    """Receiver 1 fault. Bit 105."""
+    """Receiver 1 fault. Bit 105. Concerns `gnss_data.FixInfo`."""
     ANTENNA_1_SHORTED = 1 << 106
-    """Antenna 1 is shorted. Bit 106."""
+    """Antenna 1 is shorted. Bit 106. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_1_OPEN = 1 << 107
-    """Antenna 1 is not connected. Bit 107."""
+    """Antenna 1 is not connected. Bit 107. Concerns `gnss_data.HardwareStatus`."""
     RECEIVER_1_SOLUTION_FAULT = 1 << 108
-    """Receiver 1 has no solution. Bit 108."""
+    """Receiver 1 has no solution. Bit 108. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_POWER_FAULT = 1 << 109
-    """Receiver 2 power supply fault. Bit 109."""
+    """Receiver 2 power supply fault. Bit 109. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_FAULT = 1 << 110
-    """Receiver 2 fault. Bit 110."""
+    """Receiver 2 fault. Bit 110. Concerns `gnss_data.FixInfo`."""
     ANTENNA_2_SHORTED = 1 << 111
-    """Antenna 2 is shorted. Bit 111."""
+    """Antenna 2 is shorted. Bit 111. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_2_OPEN = 1 << 112
-    """Antenna 2 is not connected. Bit 112."""
+    """Antenna 2 is not connected. Bit 112. Concerns `gnss_data.HardwareStatus`."""
     RECEIVER_2_SOLUTION_FAULT = 1 << 113
-    """Receiver 2 has no solution. Bit 113."""
+    """Receiver 2 has no solution. Bit 113. Concerns `gnss_data.FixInfo`."""
     RTCM_COMM_FAULT = 1 << 114
-    """RTCM communication fault. Bit 114."""
+    """RTCM communication fault. Bit 114. Concerns `gnss_data.RtkCorrectionsStatus`."""
     RTK_DONGLE_FAULT = 1 << 115
-    """RTK modem fault. Bit 115."""
+    """RTK modem fault. Bit 115. Concerns `rtk.GetStatusFlags`."""
 
     @property
     def imu_ipc_fault(self) -> int:

@@ -148,10 +148,12 @@ bitfield! {
         /// The main GNSS process did not run in time. Bit 24.
         GNSS_MAIN_PROCESS_FAULT: bool = 24,
             gnss_main_process_fault, set_gnss_main_process_fault, with_gnss_main_process_fault;
-        /// No data from internal receiver 1 in time. Bit 25.
+        /// No data from internal receiver 1 in time. Bit 25. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_1_STALL: bool = 25,
             gnss_receiver_1_stall, set_gnss_receiver_1_stall, with_gnss_receiver_1_stall;
-        /// No data from internal receiver 2 in time. Bit 26.
+        /// No data from internal receiver 2 in time. Bit 26. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_2_STALL: bool = 26,
             gnss_receiver_2_stall, set_gnss_receiver_2_stall, with_gnss_receiver_2_stall;
         /// No communication with the inertial sensors. Bit 33.
@@ -229,16 +231,20 @@ bitfield! {
         /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
-        /// No communication with internal receiver 1. Bit 105.
+        /// No communication with internal receiver 1. Bit 105. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
         /// Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108.
+        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_NO_SOLUTION: bool = 108,
             receiver_1_no_solution, set_receiver_1_no_solution, with_receiver_1_no_solution;
-        /// No communication with internal receiver 2. Bit 110.
+        /// No communication with internal receiver 2. Bit 110. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
         /// Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113.
+        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_NO_SOLUTION: bool = 113,
             receiver_2_no_solution, set_receiver_2_no_solution, with_receiver_2_no_solution;
     }
@@ -466,46 +472,55 @@ bitfield! {
         /// GNSS processor communication errors. Bits 98 to 100.
         GNSS_COMM_ERROR: u8 = 98..=100,
             gnss_comm_error, set_gnss_comm_error, with_gnss_comm_error;
-        /// GPS time fault. Bit 101.
+        /// GPS time fault. Bit 101. Concerns [`gnss_data::GpsTime`](crate::gnss_data::GpsTime).
         GPS_TIME_FAULT: bool = 101,
             gps_time_fault, set_gps_time_fault, with_gps_time_fault;
         /// A GNSS processor cycle exceeded its time slot. Bit 102.
         GNSS_TIMING_OVERRUN: bool = 102,
             gnss_timing_overrun, set_gnss_timing_overrun, with_gnss_timing_overrun;
-        /// Receiver 1 power supply fault. Bit 104.
+        /// Receiver 1 power supply fault. Bit 104. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_POWER_FAULT: bool = 104,
             receiver_1_power_fault, set_receiver_1_power_fault, with_receiver_1_power_fault;
-        /// Receiver 1 fault. Bit 105.
+        /// Receiver 1 fault. Bit 105. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Antenna 1 is shorted. Bit 106.
+        /// Antenna 1 is shorted. Bit 106. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_SHORTED: bool = 106,
             antenna_1_shorted, set_antenna_1_shorted, with_antenna_1_shorted;
-        /// Antenna 1 is not connected. Bit 107.
+        /// Antenna 1 is not connected. Bit 107. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_OPEN: bool = 107,
             antenna_1_open, set_antenna_1_open, with_antenna_1_open;
-        /// Receiver 1 has no solution. Bit 108.
+        /// Receiver 1 has no solution. Bit 108. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_SOLUTION_FAULT: bool = 108,
             receiver_1_solution_fault, set_receiver_1_solution_fault, with_receiver_1_solution_fault;
-        /// Receiver 2 power supply fault. Bit 109.
+        /// Receiver 2 power supply fault. Bit 109. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_POWER_FAULT: bool = 109,
             receiver_2_power_fault, set_receiver_2_power_fault, with_receiver_2_power_fault;
-        /// Receiver 2 fault. Bit 110.
+        /// Receiver 2 fault. Bit 110. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Antenna 2 is shorted. Bit 111.
+        /// Antenna 2 is shorted. Bit 111. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_SHORTED: bool = 111,
             antenna_2_shorted, set_antenna_2_shorted, with_antenna_2_shorted;
-        /// Antenna 2 is not connected. Bit 112.
+        /// Antenna 2 is not connected. Bit 112. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_OPEN: bool = 112,
             antenna_2_open, set_antenna_2_open, with_antenna_2_open;
-        /// Receiver 2 has no solution. Bit 113.
+        /// Receiver 2 has no solution. Bit 113. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_SOLUTION_FAULT: bool = 113,
             receiver_2_solution_fault, set_receiver_2_solution_fault, with_receiver_2_solution_fault;
-        /// RTCM communication fault. Bit 114.
+        /// RTCM communication fault. Bit 114. Concerns
+        /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus).
         RTCM_COMM_FAULT: bool = 114,
             rtcm_comm_fault, set_rtcm_comm_fault, with_rtcm_comm_fault;
-        /// RTK modem fault. Bit 115.
+        /// RTK modem fault. Bit 115. Concerns [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags).
         RTK_DONGLE_FAULT: bool = 115,
             rtk_dongle_fault, set_rtk_dongle_fault, with_rtk_dongle_fault;
     }

@@ -252,7 +252,7 @@ static inline void mip_cv7_continuous_bit_set_gnss_main_process_fault(
     mip_set_bits(flags->bytes, 24, 1, value);
 }
 
-/** Bit 25. No data from internal receiver 1 in time. */
+/** Bit 25. No data from internal receiver 1 in time. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_1_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
@@ -263,7 +263,7 @@ mip_cv7_continuous_bit_set_gnss_receiver_1_stall(struct mip_cv7_continuous_bit *
     mip_set_bits(flags->bytes, 25, 1, value);
 }
 
-/** Bit 26. No data from internal receiver 2 in time. */
+/** Bit 26. No data from internal receiver 2 in time. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_2_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
@@ -498,7 +498,7 @@ static inline void mip_cv7_continuous_bit_set_filter_timing_underrun(
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
-/** Bit 105. No communication with internal receiver 1. */
+/** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_1_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
@@ -509,7 +509,10 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. */
+/**
+ * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Concerns
+ * mip_gnss_data_fix_info.
+ */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
@@ -520,7 +523,7 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_no_solution(
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 110. No communication with internal receiver 2. */
+/** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_2_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
@@ -531,7 +534,10 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. */
+/**
+ * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Concerns
+ * mip_gnss_data_fix_info.
+ */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
@@ -1260,7 +1266,7 @@ static inline void mip_gq7_bit_set_gnss_comm_error(struct mip_gq7_bit *flags, ui
     mip_set_bits(flags->bytes, 98, 3, value);
 }
 
-/** Bit 101. GPS time fault. */
+/** Bit 101. GPS time fault. Concerns mip_gnss_data_gps_time. */
 static inline bool mip_gq7_bit_get_gps_time_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 101, 1);
 }
@@ -1278,7 +1284,7 @@ static inline void mip_gq7_bit_set_gnss_timing_overrun(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 102, 1, value);
 }
 
-/** Bit 104. Receiver 1 power supply fault. */
+/** Bit 104. Receiver 1 power supply fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 104, 1);
 }
@@ -1287,7 +1293,7 @@ static inline void mip_gq7_bit_set_receiver_1_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 104, 1, value);
 }
 
-/** Bit 105. Receiver 1 fault. */
+/** Bit 105. Receiver 1 fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
@@ -1296,7 +1302,7 @@ static inline void mip_gq7_bit_set_receiver_1_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 106. Antenna 1 is shorted. */
+/** Bit 106. Antenna 1 is shorted. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_1_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 106, 1);
 }
@@ -1305,7 +1311,7 @@ static inline void mip_gq7_bit_set_antenna_1_shorted(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 106, 1, value);
 }
 
-/** Bit 107. Antenna 1 is not connected. */
+/** Bit 107. Antenna 1 is not connected. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_1_open(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 107, 1);
 }
@@ -1314,7 +1320,7 @@ static inline void mip_gq7_bit_set_antenna_1_open(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 107, 1, value);
 }
 
-/** Bit 108. Receiver 1 has no solution. */
+/** Bit 108. Receiver 1 has no solution. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_solution_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
@@ -1324,7 +1330,7 @@ static inline void mip_gq7_bit_set_receiver_1_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 109. Receiver 2 power supply fault. */
+/** Bit 109. Receiver 2 power supply fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 109, 1);
 }
@@ -1333,7 +1339,7 @@ static inline void mip_gq7_bit_set_receiver_2_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 109, 1, value);
 }
 
-/** Bit 110. Receiver 2 fault. */
+/** Bit 110. Receiver 2 fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
@@ -1342,7 +1348,7 @@ static inline void mip_gq7_bit_set_receiver_2_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 111. Antenna 2 is shorted. */
+/** Bit 111. Antenna 2 is shorted. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_2_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 111, 1);
 }
@@ -1351,7 +1357,7 @@ static inline void mip_gq7_bit_set_antenna_2_shorted(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 111, 1, value);
 }
 
-/** Bit 112. Antenna 2 is not connected. */
+/** Bit 112. Antenna 2 is not connected. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_2_open(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 112, 1);
 }
@@ -1360,7 +1366,7 @@ static inline void mip_gq7_bit_set_antenna_2_open(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 112, 1, value);
 }
 
-/** Bit 113. Receiver 2 has no solution. */
+/** Bit 113. Receiver 2 has no solution. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_solution_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
@@ -1370,7 +1376,7 @@ static inline void mip_gq7_bit_set_receiver_2_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 
-/** Bit 114. RTCM communication fault. */
+/** Bit 114. RTCM communication fault. Concerns mip_gnss_data_rtk_corrections_status. */
 static inline bool mip_gq7_bit_get_rtcm_comm_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 114, 1);
 }
@@ -1379,7 +1385,7 @@ static inline void mip_gq7_bit_set_rtcm_comm_fault(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 114, 1, value);
 }
 
-/** Bit 115. RTK modem fault. */
+/** Bit 115. RTK modem fault. Concerns mip_rtk_get_status_flags. */
 static inline bool mip_gq7_bit_get_rtk_dongle_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 115, 1);
 }

@@ -1232,7 +1232,9 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Flagged by
+    /// [`gps_time_fault`](types::Gq7ContinuousBuiltInTest::gps_time_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -1311,7 +1313,31 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
     /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings),
     /// [`gnss::SignalConfig`](crate::gnss::SignalConfig) and
-    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Flagged by
+    /// [`gnss_receiver_1_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_1_stall) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gnss_receiver_2_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_2_stall) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_fault`](types::Cv7ContinuousBuiltInTest::receiver_1_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_1_no_solution) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_2_fault`](types::Cv7ContinuousBuiltInTest::receiver_2_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_2_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_2_no_solution) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_power_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_1_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_1_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_solution_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_2_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_power_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_2_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`] and
+    /// [`receiver_2_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_solution_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -1407,7 +1433,15 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
+    /// [`antenna_1_shorted`](types::Gq7ContinuousBuiltInTest::antenna_1_shorted) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`antenna_1_open`](types::Gq7ContinuousBuiltInTest::antenna_1_open) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`antenna_2_shorted`](types::Gq7ContinuousBuiltInTest::antenna_2_shorted) of
+    /// [`types::Gq7ContinuousBuiltInTest`] and
+    /// [`antenna_2_open`](types::Gq7ContinuousBuiltInTest::antenna_2_open) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -2071,7 +2105,9 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
     /// [`gnss::RtkDongleConfig`](crate::gnss::RtkDongleConfig) and
-    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Supported by
+    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Flagged by
+    /// [`rtcm_comm_fault`](types::Gq7ContinuousBuiltInTest::rtcm_comm_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX5-25](crate::devices::GX5_25).
     ///
