@@ -201,7 +201,20 @@ class ScaledAccel(Data):
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
     `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
     3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
@@ -268,6 +281,18 @@ class ScaledGyro(Data):
     `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
     `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and
     `OverrangeFlags.GYRO_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably
@@ -332,6 +357,18 @@ class ScaledMag(Data):
     `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
     `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of `OverrangeFlags` and
     `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
@@ -1218,7 +1255,18 @@ class ScaledPressure(Data):
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
     `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Gq7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
     Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
     3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,

@@ -213,35 +213,38 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36."""
+    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37."""
+    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38."""
+    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40."""
+    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41."""
+    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44."""
+    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45."""
+    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
     MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48."""
+    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49."""
+    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52."""
+    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53."""
+    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
+    `sensor.ScaledPressure`.
+    """
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
     FACTORY_BITS_INVALID = 1 << 56
     """Factory settings are invalid. Bit 56."""
     FILTER_FAULT = 1 << 64
@@ -284,35 +287,38 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36."""
+    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37."""
+    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38."""
+    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40."""
+    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41."""
+    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44."""
+    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45."""
+    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
     MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48."""
+    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49."""
+    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52."""
+    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53."""
+    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
+    `sensor.ScaledPressure`.
+    """
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
     FILTER_CLOCK_FAULT = 1 << 64
     """The filter clock failed. Bit 64."""
     FILTER_HARDWARE_FAULT = 1 << 65

@@ -304,49 +304,62 @@ bitfield! {
         /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36.
+        /// Accelerometer calibration error. Bit 36. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37.
+        /// Gyroscope calibration error. Bit 37. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38.
+        /// Magnetometer calibration error. Bit 38. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40.
+        /// Accelerometer fault. Bit 40. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41.
+        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44.
+        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45.
+        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48.
+        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49.
+        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52.
+        /// Pressure sensor fault. Bit 52. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53.
+        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// Factory settings are invalid. Bit 56.
@@ -403,49 +416,62 @@ bitfield! {
         /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36.
+        /// Accelerometer calibration error. Bit 36. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37.
+        /// Gyroscope calibration error. Bit 37. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38.
+        /// Magnetometer calibration error. Bit 38. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40.
+        /// Accelerometer fault. Bit 40. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41.
+        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44.
+        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45.
+        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48.
+        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49.
+        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52.
+        /// Pressure sensor fault. Bit 52. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53.
+        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The filter clock failed. Bit 64.

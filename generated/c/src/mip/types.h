@@ -734,7 +734,7 @@ static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_in
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. */
+/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -745,7 +745,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. */
+/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -756,7 +756,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. */
+/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -767,7 +767,7 @@ mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. */
+/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -778,7 +778,9 @@ static inline void mip_cv7_inertial_bit_set_accel_general_fault(struct mip_cv7_i
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. The accelerometer measures near or beyond its range. */
+/**
+ * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_accel_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
@@ -789,7 +791,7 @@ static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_iner
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. */
+/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
@@ -800,7 +802,7 @@ static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. */
+/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -811,7 +813,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_general_fault(struct mip_cv7_in
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. */
+/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
@@ -822,7 +824,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. */
+/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
@@ -833,7 +835,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_i
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. */
+/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -844,7 +846,7 @@ static inline void mip_cv7_inertial_bit_set_mag_general_fault(struct mip_cv7_ine
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. */
+/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
@@ -855,7 +857,7 @@ static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. */
+/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
@@ -866,7 +868,7 @@ static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_in
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. */
+/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -877,7 +879,10 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_general_fault(
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53. The pressure sensor measures near or beyond its range. */
+/**
+ * Bit 53. The pressure sensor measures near or beyond its range. Concerns
+ * mip_sensor_scaled_pressure.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
@@ -888,7 +893,7 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. */
+/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
@@ -1053,7 +1058,7 @@ static inline void mip_gq7_bit_set_imu_timing_overrun(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. */
+/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_accel(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
@@ -1063,7 +1068,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_accel(struct mip_gq7_bi
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. */
+/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_gyro(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
@@ -1073,7 +1078,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_gyro(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. */
+/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_mag(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
@@ -1083,7 +1088,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_mag(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. */
+/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_accel_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
@@ -1092,7 +1097,9 @@ static inline void mip_gq7_bit_set_accel_general_fault(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. The accelerometer measures near or beyond its range. */
+/**
+ * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ */
 static inline bool mip_gq7_bit_get_accel_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
@@ -1101,7 +1108,7 @@ static inline void mip_gq7_bit_set_accel_over_range(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. */
+/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_accel_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
@@ -1110,7 +1117,7 @@ static inline void mip_gq7_bit_set_accel_self_test_fail(struct mip_gq7_bit *flag
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. */
+/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
@@ -1119,7 +1126,7 @@ static inline void mip_gq7_bit_set_gyro_general_fault(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. */
+/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
@@ -1128,7 +1135,7 @@ static inline void mip_gq7_bit_set_gyro_over_range(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. */
+/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
@@ -1137,7 +1144,7 @@ static inline void mip_gq7_bit_set_gyro_self_test_fail(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. */
+/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
@@ -1146,7 +1153,7 @@ static inline void mip_gq7_bit_set_mag_general_fault(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. */
+/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
@@ -1155,7 +1162,7 @@ static inline void mip_gq7_bit_set_mag_over_range(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. */
+/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
@@ -1164,7 +1171,7 @@ static inline void mip_gq7_bit_set_mag_self_test_fail(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. */
+/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
 static inline bool mip_gq7_bit_get_pressure_sensor_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
@@ -1174,7 +1181,10 @@ static inline void mip_gq7_bit_set_pressure_sensor_general_fault(struct mip_gq7_
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53. The pressure sensor measures near or beyond its range. */
+/**
+ * Bit 53. The pressure sensor measures near or beyond its range. Concerns
+ * mip_sensor_scaled_pressure.
+ */
 static inline bool mip_gq7_bit_get_pressure_sensor_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
@@ -1184,7 +1194,7 @@ static inline void mip_gq7_bit_set_pressure_sensor_over_range(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. */
+/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
 static inline bool mip_gq7_bit_get_pressure_sensor_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }

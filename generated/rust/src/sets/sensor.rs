@@ -151,7 +151,23 @@ record! {
     /// [`accel_over_range`](types::Cv7ContinuousBuiltInTest::accel_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`accel_self_test_fail`](types::Cv7ContinuousBuiltInTest::accel_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Cv7InertialContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Cv7InertialContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Gq7ContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Gq7ContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Gq7ContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
     /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`] and
     /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -221,7 +237,23 @@ record! {
     /// [`gyro_over_range`](types::Cv7ContinuousBuiltInTest::gyro_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`gyro_self_test_fail`](types::Cv7ContinuousBuiltInTest::gyro_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Cv7InertialContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Cv7InertialContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Gq7ContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Gq7ContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Gq7ContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
     /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`] and
     /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -290,7 +322,23 @@ record! {
     /// [`mag_over_range`](types::Cv7ContinuousBuiltInTest::mag_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`mag_self_test_fail`](types::Cv7ContinuousBuiltInTest::mag_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_mag)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Cv7InertialContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Cv7InertialContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_mag) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Gq7ContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Gq7ContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Gq7ContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
     /// [`mag_y`](OverrangeFlags::mag_y) of [`OverrangeFlags`] and [`mag_z`](OverrangeFlags::mag_z)
     /// of [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
@@ -957,7 +1005,19 @@ record! {
     /// [`pressure_sensor_over_range`](types::Cv7ContinuousBuiltInTest::pressure_sensor_over_range)
     /// of [`types::Cv7ContinuousBuiltInTest`],
     /// [`pressure_sensor_self_test_fail`](types::Cv7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
-    /// of [`types::Cv7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Gq7ContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Gq7ContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Gq7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Gq7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
     /// [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
