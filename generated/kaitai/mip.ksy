@@ -3003,7 +3003,7 @@ types:
       - id: constellation_id
         type: u1
         enum: mip_3dm_constellation_id
-        doc: Constellation.
+        doc: Constellation that this entry configures.
       - id: enable
         type: u1
         doc: "1 switches it on, 0 off. Range: 0 to 1."
@@ -3015,7 +3015,7 @@ types:
         doc: "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."
       - id: option_flags
         type: mip_3dm_constellation_options
-        doc: Options.
+        doc: Options of this constellation.
   mip_3dm_event_support_info:
     doc: How many instances of one trigger or action type a device can have.
     seq:
@@ -4063,7 +4063,7 @@ types:
         type: u1
         enum: mip_3dm_sensor_range_type
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: The sensor.
+        doc: Sensor whose range is set or read.
       - id: setting
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -4104,7 +4104,7 @@ types:
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
+        doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0."
   mip_3dm_data_stream_format:
     -orig-id: 3dm.data_stream_format
     doc: Data stream format. Selects MIP data or the raw data of a sensor for a stream.
@@ -4118,7 +4118,7 @@ types:
         type: u1
         enum: mip_3dm_internal_sensor
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: The stream.
+        doc: Stream whose format is set or read.
       - id: format
         type: u1
         enum: mip_3dm_stream_format
@@ -4272,7 +4272,7 @@ types:
       - id: stream
         type: u1
         enum: mip_3dm_internal_sensor
-        doc: The stream.
+        doc: Stream whose format is set or read.
       - id: format
         type: u1
         enum: mip_3dm_stream_format
@@ -4794,7 +4794,7 @@ types:
         doc: Range of the gyroscope.
       - id: accel_range
         type: u2
-        doc: Range of the accelerometer.
+        doc: Largest acceleration that can be measured.
       - id: reserved
         type: u4
         doc: Reserved.
@@ -5289,7 +5289,7 @@ types:
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        doc: The sensor.
+        doc: Sensor whose range is set or read.
       - id: setting
         type: u1
         doc: Number of the range.
@@ -5310,7 +5310,7 @@ types:
         type: mip_3dm_sensor_range_entry
         repeat: expr
         repeat-expr: num_ranges
-        doc: The ranges.
+        doc: Each range that the sensor is calibrated for.
   mip_3dm_low_pass_filter_response:
     -orig-id: 3dm.low_pass_filter_response
     doc: "Low-Pass Anti-Aliasing Filter response. "
@@ -5329,7 +5329,7 @@ types:
         doc: "True uses `frequency`; false uses half the rate of the field in the message format."
       - id: frequency
         type: f4
-        doc: "Cutoff in use. Unit: Hz."
+        doc: "Cutoff in use. Unit: Hz. Range: at least 0."
   filter_reset:
     -orig-id: filter.reset
     doc: Reset navigation filter. Returns the filter to its initialization state.
@@ -5359,7 +5359,7 @@ types:
     seq:
       - id: declination
         type: f4
-        doc: "Local declination of the magnetic field. Unit: rad."
+        doc: "Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
   filter_run:
     -orig-id: filter.run
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
@@ -5782,7 +5782,7 @@ types:
       - id: declination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Declination; used only if `source` is manual. Unit: rad."
+        doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
     doc: Gravity magnitude error adaptive measurement. How far the filter trusts gravity measurements whose magnitude is not that of gravity.
@@ -5800,7 +5800,7 @@ types:
       - id: frequency
         type: f4
         if: _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         if: _io.size >= 10
@@ -5838,7 +5838,7 @@ types:
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -5875,7 +5875,7 @@ types:
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -5933,7 +5933,7 @@ types:
       - id: inclination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Inclination; used only if `source` is manual. Unit: rad."
+        doc: "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966."
   filter_magnetic_magnitude_source:
     -orig-id: filter.magnetic_magnitude_source
     doc: Magnetic field magnitude source. Source of the local magnitude of the magnetic field.
@@ -5951,7 +5951,7 @@ types:
       - id: magnitude
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Magnitude; used only if `source` is manual. Unit: gauss."
+        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0."
   filter_sensor_to_vehicle_rotation_dcm:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm
     doc: Sensor to vehicle rotation, matrix. Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
@@ -6413,7 +6413,7 @@ types:
         doc: Source of the declination.
       - id: declination
         type: f4
-        doc: "Declination; used only if `source` is manual. Unit: rad."
+        doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
   filter_accel_magnitude_error_adaptive_measurement_response:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement_response
     doc: "Gravity magnitude error adaptive measurement response. "
@@ -6424,7 +6424,7 @@ types:
         doc: Kind of adaptation.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         doc: "Lower limit of the error. Unit: m/s^2."
@@ -6450,7 +6450,7 @@ types:
         doc: Kind of adaptation.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         doc: "Lower limit of the error. Unit: gauss."
@@ -6475,7 +6475,7 @@ types:
         doc: Whether the adaptation is on.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
+        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
         doc: "Upper limit of the error. Unit: rad."
@@ -6511,7 +6511,7 @@ types:
         doc: Source of the inclination.
       - id: inclination
         type: f4
-        doc: "Inclination; used only if `source` is manual. Unit: rad."
+        doc: "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966."
   filter_magnetic_magnitude_source_response:
     -orig-id: filter.magnetic_magnitude_source_response
     doc: "Magnetic field magnitude source response. "
@@ -6522,7 +6522,7 @@ types:
         doc: Source of the magnitude.
       - id: magnitude
         type: f4
-        doc: "Magnitude; used only if `source` is manual. Unit: gauss."
+        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0."
   filter_sensor_to_vehicle_rotation_dcm_response:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm_response
     doc: "Sensor to vehicle rotation, matrix response. "
@@ -6822,7 +6822,7 @@ types:
         type: gnss_receiver_info_entry
         repeat: expr
         repeat-expr: num_receivers
-        doc: The receivers.
+        doc: One entry for each receiver.
   gnss_signal_config_response:
     -orig-id: gnss.signal_config_response
     doc: "Signal configuration response. "
@@ -7046,7 +7046,7 @@ types:
       - id: modem_firmware_version
         type: str
         size: 32
-        doc: Firmware version.
+        doc: Firmware version of the modem, not of the dongle.
   rtk_service_status_response:
     -orig-id: rtk.service_status_response
     doc: Service status response. What the server knows of the connection.
@@ -7349,7 +7349,7 @@ types:
         type: u1
         enum: comm_interface
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: The port.
+        doc: Port whose protocols are set or read.
       - id: protocols_incoming
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 6
@@ -7379,7 +7379,7 @@ types:
       - id: port
         type: u1
         enum: comm_interface
-        doc: The port.
+        doc: Port whose protocols are set or read.
       - id: protocols_incoming
         type: system_comm_protocols
         doc: Protocols that it receives.
@@ -7536,7 +7536,7 @@ types:
     seq:
       - id: stabilized_accel
         type: vector3f
-        doc: "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor."
+        doc: "The inverse of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor."
   sensor_gps_timestamp:
     -orig-id: sensor.gps_timestamp
     doc: GPS timestamp. GPS time of the sensor data.
@@ -7576,7 +7576,7 @@ types:
     seq:
       - id: scaled_pressure
         type: f4
-        doc: "Ambient pressure. Unit: mbar."
+        doc: "Ambient pressure. Unit: mbar. Range: at least 0."
   sensor_overrange_status:
     -orig-id: sensor.overrange_status
     doc: Overrange status. Which sensor axes are near or outside their range.
@@ -7631,7 +7631,7 @@ types:
         doc: "Position of the antenna. Unit: m. Frame: ecef. Valid if `valid_flags.position` is set."
       - id: position_accuracy
         type: f4
-        doc: "Accuracy of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
+        doc: "Estimated error of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
         doc: Which parts of the position are valid.
@@ -7644,7 +7644,7 @@ types:
         doc: "Velocity of the antenna. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
       - id: speed
         type: f4
-        doc: "Speed in space. Unit: m/s. Valid if `valid_flags.speed_3d` is set."
+        doc: "Speed in space. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_3d` is set."
       - id: ground_speed
         type: f4
         doc: "Speed over ground. Unit: m/s. Range: at least 0. Valid if `valid_flags.ground_speed` is set."
@@ -7653,10 +7653,10 @@ types:
         doc: "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
       - id: speed_accuracy
         type: f4
-        doc: "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_accuracy` is set."
+        doc: "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_accuracy` is set."
       - id: heading_accuracy
         type: f4
-        doc: "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
+        doc: "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
         doc: Which parts of the velocity are valid.
@@ -7669,7 +7669,7 @@ types:
         doc: "Velocity of the antenna. Unit: m/s. Frame: ecef. Valid if `valid_flags.velocity` is set."
       - id: velocity_accuracy
         type: f4
-        doc: "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
+        doc: "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
         doc: Which parts of the velocity are valid.
@@ -7707,16 +7707,16 @@ types:
     seq:
       - id: year
         type: u2
-        doc: "Year. Valid if `valid_flags.gnss_date_time` is set."
+        doc: "Year with its century. Valid if `valid_flags.gnss_date_time` is set."
       - id: month
         type: u1
-        doc: "Month. Range: 1 to 12. Valid if `valid_flags.gnss_date_time` is set."
+        doc: "Month, 1 for January. Range: 1 to 12. Valid if `valid_flags.gnss_date_time` is set."
       - id: day
         type: u1
         doc: "Day of the month. Range: 1 to 31. Valid if `valid_flags.gnss_date_time` is set."
       - id: hour
         type: u1
-        doc: "Hour. Range: 0 to 23. Valid if `valid_flags.gnss_date_time` is set."
+        doc: "Hour of the day. Range: 0 to 23. Valid if `valid_flags.gnss_date_time` is set."
       - id: min
         type: u1
         doc: "Minute. Range: 0 to 59. Valid if `valid_flags.gnss_date_time` is set."
@@ -7754,7 +7754,7 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: accuracy_estimate
         type: f8
-        doc: "Estimated accuracy. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
+        doc: "Estimated error of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
         doc: Which clock parameters are valid.
@@ -7765,7 +7765,7 @@ types:
       - id: fix_type
         type: u1
         enum: gnss_fix_type
-        doc: "Type of the fix. Valid if `valid_flags.fix_type` is set."
+        doc: "What the receiver can determine at present. Valid if `valid_flags.fix_type` is set."
       - id: num_sv
         type: u1
         doc: "Number of satellites used in the fix. Unit: 1. Valid if `valid_flags.num_sv` is set."
@@ -7793,7 +7793,7 @@ types:
         doc: "Direction of the satellite, from north. Unit: deg. Valid if `valid_flags.azimuth` is set."
       - id: elevation
         type: s2
-        doc: "Angle of the satellite above the horizon. Unit: deg. Valid if `valid_flags.elevation` is set."
+        doc: "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
       - id: sv_flags
         type: gnss_data_sv_flags
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
@@ -7825,7 +7825,7 @@ types:
     seq:
       - id: age
         type: f4
-        doc: "Age of the corrections. Unit: s. Valid if `valid_flags.age` is set."
+        doc: "Age of the corrections. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
       - id: base_station_id
         type: s2
         doc: "Number of the base station. Valid if `valid_flags.base_station_id` is set."
@@ -7847,7 +7847,7 @@ types:
         doc: Number of the satellite.
       - id: age
         type: f4
-        doc: "Age of the correction. Unit: s. Valid if `valid_flags.age` is set."
+        doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
       - id: range_correction
         type: f4
         doc: "Correction of the range. Unit: m."
@@ -7866,7 +7866,7 @@ types:
         doc: "Number of the satellite. Valid if `valid_flags.satellite_id` is set."
       - id: age
         type: f4
-        doc: "Age of the correction. Unit: s. Valid if `valid_flags.age` is set."
+        doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
       - id: range_correction
         type: f4
         doc: "Correction of the range. Unit: m. Valid if `valid_flags.range_correction` is set."
@@ -7888,10 +7888,10 @@ types:
         doc: "Drift of the clock. Unit: s/s. Valid if `valid_flags.drift` is set."
       - id: bias_accuracy_estimate
         type: f8
-        doc: "Accuracy of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.bias_accuracy` is set."
+        doc: "Estimated error of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.bias_accuracy` is set."
       - id: drift_accuracy_estimate
         type: f8
-        doc: "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
+        doc: "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
         doc: Which clock parameters are valid.
@@ -7973,7 +7973,7 @@ types:
       - id: rf_band
         type: u1
         enum: gnss_data_rf_band
-        doc: "Band. Valid if `valid_flags.rf_band` is set."
+        doc: "Band that the states are about. Valid if `valid_flags.rf_band` is set."
       - id: jamming_state
         type: u1
         enum: gnss_data_jamming_state
@@ -8077,7 +8077,7 @@ types:
       - id: signal_id
         type: u1
         enum: gnss_signal
-        doc: "Signal. Valid if `valid_flags.signal_id` is set."
+        doc: "Signal of the satellite that was tracked. Valid if `valid_flags.signal_id` is set."
       - id: signal_strength
         type: f4
         doc: "Carrier to noise density ratio. Unit: dB-Hz. Valid if `valid_flags.signal_strength` is set."
@@ -8087,10 +8087,10 @@ types:
         doc: "How well the signal is tracked. Valid if `valid_flags.quality` is set."
       - id: pseudorange
         type: f8
-        doc: "Pseudorange. Unit: m. Valid if `valid_flags.pseudorange` is set."
+        doc: "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if `valid_flags.pseudorange` is set."
       - id: carrier_phase
         type: f8
-        doc: "Carrier phase. Unit: cycle. Valid if `valid_flags.carrier_phase` is set."
+        doc: "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if `valid_flags.carrier_phase` is set."
       - id: doppler
         type: f4
         doc: "Doppler shift. Unit: Hz. Valid if `valid_flags.doppler` is set."
@@ -8105,7 +8105,7 @@ types:
         doc: "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if `valid_flags.doppler_uncertainty` is set."
       - id: lock_time
         type: f4
-        doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if `valid_flags.lock_time` is set."
+        doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
         doc: Which parts of the observation are valid.
@@ -8152,16 +8152,16 @@ types:
         doc: "Status flags of the RTK dongle; of use only with a dongle. Valid if `valid_flags.dongle_status` is set."
       - id: gps_correction_latency
         type: f4
-        doc: "Latency of the last GPS correction. Unit: s. Valid if `valid_flags.gps_latency` is set."
+        doc: "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if `valid_flags.gps_latency` is set."
       - id: glonass_correction_latency
         type: f4
-        doc: "Latency of the last GLONASS correction. Unit: s. Valid if `valid_flags.glonass_latency` is set."
+        doc: "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if `valid_flags.glonass_latency` is set."
       - id: galileo_correction_latency
         type: f4
-        doc: "Latency of the last Galileo correction. Unit: s. Valid if `valid_flags.galileo_latency` is set."
+        doc: "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if `valid_flags.galileo_latency` is set."
       - id: beidou_correction_latency
         type: f4
-        doc: "Latency of the last BeiDou correction. Unit: s. Valid if `valid_flags.beidou_latency` is set."
+        doc: "Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if `valid_flags.beidou_latency` is set."
       - id: reserved
         type: u4
         repeat: expr
@@ -8200,7 +8200,7 @@ types:
         doc: "Issue of data, ephemeris. Valid if `valid_flags.ephemeris` is set."
       - id: t_oc
         type: f8
-        doc: "Reference time of the clock data. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: af0
         type: f8
         doc: "Clock bias. Unit: s. Valid if `valid_flags.ephemeris` is set."
@@ -8221,16 +8221,16 @@ types:
         doc: "Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: t_oe
         type: f8
-        doc: "Reference time of the ephemeris. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: a
         type: f8
-        doc: "Semi-major axis. Unit: m. Valid if `valid_flags.ephemeris` is set."
+        doc: "Semi-major axis. Unit: m. Range: greater than 0. Valid if `valid_flags.ephemeris` is set."
       - id: a_dot
         type: f8
         doc: "Rate of the semi-major axis. Unit: m/s. Valid if `valid_flags.ephemeris` is set."
       - id: mean_anomaly
         type: f8
-        doc: "Mean anomaly. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Mean anomaly at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: delta_mean_motion
         type: f8
         doc: "Correction of the mean motion. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8239,10 +8239,10 @@ types:
         doc: "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `valid_flags.ephemeris` is set."
       - id: eccentricity
         type: f8
-        doc: "Eccentricity. Unit: 1. Valid if `valid_flags.ephemeris` is set."
+        doc: "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if `valid_flags.ephemeris` is set."
       - id: argument_of_perigee
         type: f8
-        doc: "Argument of perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Angle from the ascending node to the perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: omega
         type: f8
         doc: "Longitude of the ascending node. Unit: rad. Valid if `valid_flags.ephemeris` is set."
@@ -8251,7 +8251,7 @@ types:
         doc: "Rate of the right ascension. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
       - id: inclination
         type: f8
-        doc: "Inclination. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Inclination of the orbit at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: inclination_dot
         type: f8
         doc: "Rate of the inclination. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8386,7 +8386,7 @@ types:
         doc: "Issue of data, ephemeris. Valid if `valid_flags.ephemeris` is set."
       - id: t_oc
         type: f8
-        doc: "Reference time of the clock data. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: af0
         type: f8
         doc: "Clock bias. Unit: s. Valid if `valid_flags.ephemeris` is set."
@@ -8407,16 +8407,16 @@ types:
         doc: "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: t_oe
         type: f8
-        doc: "Reference time of the ephemeris. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: a
         type: f8
-        doc: "Semi-major axis. Unit: m. Valid if `valid_flags.ephemeris` is set."
+        doc: "Semi-major axis. Unit: m. Range: greater than 0. Valid if `valid_flags.ephemeris` is set."
       - id: a_dot
         type: f8
         doc: "Rate of the semi-major axis. Unit: m/s. Valid if `valid_flags.ephemeris` is set."
       - id: mean_anomaly
         type: f8
-        doc: "Mean anomaly. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Mean anomaly at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: delta_mean_motion
         type: f8
         doc: "Correction of the mean motion. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8425,10 +8425,10 @@ types:
         doc: "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `valid_flags.ephemeris` is set."
       - id: eccentricity
         type: f8
-        doc: "Eccentricity. Unit: 1. Valid if `valid_flags.ephemeris` is set."
+        doc: "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if `valid_flags.ephemeris` is set."
       - id: argument_of_perigee
         type: f8
-        doc: "Argument of perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Angle from the ascending node to the perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: omega
         type: f8
         doc: "Longitude of the ascending node. Unit: rad. Valid if `valid_flags.ephemeris` is set."
@@ -8437,7 +8437,7 @@ types:
         doc: "Rate of the right ascension. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
       - id: inclination
         type: f8
-        doc: "Inclination. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Inclination of the orbit at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: inclination_dot
         type: f8
         doc: "Rate of the inclination. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8492,7 +8492,7 @@ types:
         doc: "Issue of data, ephemeris. Valid if `valid_flags.ephemeris` is set."
       - id: t_oc
         type: f8
-        doc: "Reference time of the clock data. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: af0
         type: f8
         doc: "Clock bias. Unit: s. Valid if `valid_flags.ephemeris` is set."
@@ -8513,16 +8513,16 @@ types:
         doc: "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: t_oe
         type: f8
-        doc: "Reference time of the ephemeris. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
       - id: a
         type: f8
-        doc: "Semi-major axis. Unit: m. Valid if `valid_flags.ephemeris` is set."
+        doc: "Semi-major axis. Unit: m. Range: greater than 0. Valid if `valid_flags.ephemeris` is set."
       - id: a_dot
         type: f8
         doc: "Rate of the semi-major axis. Unit: m/s. Valid if `valid_flags.ephemeris` is set."
       - id: mean_anomaly
         type: f8
-        doc: "Mean anomaly. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Mean anomaly at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: delta_mean_motion
         type: f8
         doc: "Correction of the mean motion. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8531,10 +8531,10 @@ types:
         doc: "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `valid_flags.ephemeris` is set."
       - id: eccentricity
         type: f8
-        doc: "Eccentricity. Unit: 1. Valid if `valid_flags.ephemeris` is set."
+        doc: "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if `valid_flags.ephemeris` is set."
       - id: argument_of_perigee
         type: f8
-        doc: "Argument of perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Angle from the ascending node to the perigee. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: omega
         type: f8
         doc: "Longitude of the ascending node. Unit: rad. Valid if `valid_flags.ephemeris` is set."
@@ -8543,7 +8543,7 @@ types:
         doc: "Rate of the right ascension. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
       - id: inclination
         type: f8
-        doc: "Inclination. Unit: rad. Valid if `valid_flags.ephemeris` is set."
+        doc: "Inclination of the orbit at the reference time. Unit: rad. Valid if `valid_flags.ephemeris` is set."
       - id: inclination_dot
         type: f8
         doc: "Rate of the inclination. Unit: rad/s. Valid if `valid_flags.ephemeris` is set."
@@ -8822,7 +8822,7 @@ types:
     seq:
       - id: gravity_magnitude
         type: f4
-        doc: "Magnitude of gravity. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -8903,10 +8903,10 @@ types:
         doc: "Downward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
-        doc: "Angle of the field below the horizontal plane. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
       - id: declination
         type: f4
-        doc: "Angle from true north to magnetic north. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -8956,7 +8956,7 @@ types:
     seq:
       - id: bias
         type: vector3f
-        doc: "Bias. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
+        doc: "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -8976,7 +8976,7 @@ types:
     seq:
       - id: accel
         type: vector3f
-        doc: "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -8992,13 +8992,13 @@ types:
         doc: "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if `valid_flags.valid` is set."
       - id: standard_temperature
         type: f4
-        doc: "Temperature. Unit: degC. Valid if `valid_flags.valid` is set."
+        doc: "Temperature that the model has at this altitude. Unit: degC. Valid if `valid_flags.valid` is set."
       - id: standard_pressure
         type: f4
-        doc: "Pressure. Unit: mbar. Valid if `valid_flags.valid` is set."
+        doc: "Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: standard_density
         type: f4
-        doc: "Density. Unit: kg/m^3. Valid if `valid_flags.valid` is set."
+        doc: "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9008,7 +9008,7 @@ types:
     seq:
       - id: pressure_altitude
         type: f4
-        doc: "Altitude. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
+        doc: "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9018,7 +9018,7 @@ types:
     seq:
       - id: density_altitude
         type: f4
-        doc: "Altitude. Unit: m. Valid if `valid_flags.valid` is set."
+        doc: "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Whether the values of a field may be used.
@@ -9308,7 +9308,7 @@ types:
         doc: "Heading that follows from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: fix_type
         type: u1
         enum: filter_data_dual_antenna_fix_type
@@ -9341,7 +9341,7 @@ types:
         doc: Number of the frame.
       - id: translation_uncertainty
         type: vector3f
-        doc: "Uncertainty of the translation. Unit: m. Range: at least 0."
+        doc: "Standard deviation of the error of the translation. Unit: m. Range: at least 0."
       - id: attitude_uncertainty
         type: vector3f
         doc: "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0."
@@ -9435,7 +9435,7 @@ types:
     seq:
       - id: seconds
         type: f8
-        doc: "Time since the last output. Unit: s."
+        doc: "Time since the last output. Unit: s. Range: at least 0."
   shared_reference_timestamp:
     -orig-id: shared.reference_timestamp
     doc: Reference timestamp. Time of the data by the internal reference clock.

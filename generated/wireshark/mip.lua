@@ -786,11 +786,11 @@ S["3dm.poll_entry"] = {
   { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "In place of a decimation. Reserved: send 0." },
 }
 S["3dm.constellation_settings_entry"] = {
-  { kind = "scalar", name = "constellation_id", type = "u8", size = 1, enum = E["3dm.constellation_id"], doc = "Constellation." },
+  { kind = "scalar", name = "constellation_id", type = "u8", size = 1, enum = E["3dm.constellation_id"], doc = "Constellation that this entry configures." },
   { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 switches it on, 0 off. Range: 0 to 1." },
   { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Channels reserved for it. Unit: 1. Range: 0 to 32." },
   { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32." },
-  { kind = "scalar", name = "option_flags", type = "u16", size = 2, flags = F["3dm.constellation_options"], doc = "Options." },
+  { kind = "scalar", name = "option_flags", type = "u16", size = 2, flags = F["3dm.constellation_options"], doc = "Options of this constellation." },
 }
 S["3dm.event_support_info"] = {
   { kind = "scalar", name = "type", type = "u8", size = 1, doc = "Type of triggers, or of actions." },
@@ -1349,7 +1349,7 @@ field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = 
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_range", title = "Sensor Range" }, })
 field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get Calibrated Sensor Ranges",
@@ -1367,14 +1367,14 @@ field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-Pass Anti-Aliasing Filter" }, })
 field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", title = "Data stream format",
     doc = "Selects MIP data or the raw data of a sensor for a stream.", least = 1,
     required = { [1] = 2, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The stream." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_format", title = "Data stream format" }, })
 field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", title = "Device power state",
@@ -1462,7 +1462,7 @@ field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "res
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The stream." },
+      { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." },
       { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Its format." },
     } }, { { set = 0x0C, name = "3dm.data_stream_format_response", title = "Data stream format response" }, })
 field({ descriptor = 0x89, name = "3dm.device_power_state_response", role = "response", title = "Device power state response",
@@ -1689,7 +1689,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "Whether it has a pressure sensor." },
       { kind = "scalar", name = "power_state", type = "u8", size = 1, doc = "Power state of the sensors." },
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Range of the gyroscope." },
-      { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Range of the accelerometer." },
+      { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
@@ -1947,7 +1947,7 @@ field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response"
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor." },
+      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor whose range is set or read." },
       { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." },
     } }, { { set = 0x0C, name = "3dm.sensor_range_response", title = "Sensor Range response" }, })
 field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", role = "response", title = "Get Calibrated Sensor Ranges response",
@@ -1956,7 +1956,7 @@ field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", r
     rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor given in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
-      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "The ranges. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
+      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Each range that the sensor is calibrated for. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get Calibrated Sensor Ranges response" }, })
 field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-Pass Anti-Aliasing Filter response",
     doc = "", least = 8,
@@ -1966,7 +1966,7 @@ field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "respon
       { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of descriptor_set." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-Pass Anti-Aliasing Filter response" }, })
 field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
     doc = "Returns the filter to its initialization state.", least = 0,
@@ -1991,7 +1991,7 @@ field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role =
     doc = "Initializes the attitude of the filter with that of the complementary filter.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Local declination of the magnetic field. Unit: rad." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude_from_imu", title = "Set initial attitude from IMU" }, })
 field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
     doc = "Starts a filter that is configured to wait for this command.", least = 0,
@@ -2214,7 +2214,7 @@ field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only none and manual. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
 field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
     doc = "How far the filter trusts gravity measurements whose magnitude is not that of gravity.", least = 1,
@@ -2222,7 +2222,7 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." }, } },
@@ -2235,7 +2235,7 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
@@ -2248,7 +2248,7 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
@@ -2273,7 +2273,7 @@ field({ descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source", title = "Magnetic inclination source" }, })
 field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
     doc = "Source of the local magnitude of the magnetic field.", least = 1,
@@ -2281,7 +2281,7 @@ field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "co
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source", title = "Magnetic field magnitude source" }, })
 field({ descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role = "command", title = "Sensor to vehicle rotation, matrix",
     doc = "Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.", least = 1,
@@ -2547,14 +2547,14 @@ field({ descriptor = 0xB2, name = "filter.magnetic_declination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source_response", title = "Magnetic declination source response" }, })
 field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measurement_response", role = "response", title = "Gravity magnitude error adaptive measurement response",
     doc = "", least = 25,
     always = 7,
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." },
@@ -2566,7 +2566,7 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
     always = 7,
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
@@ -2578,7 +2578,7 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     always = 5,
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
@@ -2600,14 +2600,14 @@ field({ descriptor = 0xBC, name = "filter.magnetic_inclination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966." },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source_response", title = "Magnetic inclination source response" }, })
 field({ descriptor = 0xBD, name = "filter.magnetic_magnitude_source_response", role = "response", title = "Magnetic field magnitude source response",
     doc = "", least = 5,
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." },
-      { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss." },
+      { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source_response", title = "Magnetic field magnitude source response" }, })
 field({ descriptor = 0xBE, name = "filter.sensor_to_vehicle_rotation_dcm_response", role = "response", title = "Sensor to vehicle rotation, matrix response",
     doc = "", least = 36,
@@ -2763,7 +2763,7 @@ field({ descriptor = 0x81, name = "gnss.receiver_info_response", role = "respons
     always = 2,
     rows = {
       { kind = "counter", name = "num_receivers", type = "u8", size = 1, doc = "Number of physical receivers." },
-      { kind = "array", name = "receiver_info", counter = "num_receivers", capacity = 7, size = 34, doc = "The receivers.", item = { kind = "struct", name = "item", record = S["gnss.receiver_info_entry"] } },
+      { kind = "array", name = "receiver_info", counter = "num_receivers", capacity = 7, size = 34, doc = "One entry for each receiver.", item = { kind = "struct", name = "item", record = S["gnss.receiver_info_entry"] } },
     } }, { { set = 0x0E, name = "gnss.receiver_info_response", title = "Receiver info response" }, })
 field({ descriptor = 0x82, name = "gnss.signal_config_response", role = "response", title = "Signal configuration response",
     doc = "", least = 8,
@@ -2920,7 +2920,7 @@ field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", rol
     doc = "", least = 32,
     always = 1,
     rows = {
-      { kind = "text", name = "modem_firmware_version", count = 32, capacity = 32, doc = "Firmware version." },
+      { kind = "text", name = "modem_firmware_version", count = 32, capacity = 32, doc = "Firmware version of the modem, not of the dongle." },
     } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version_response", title = "Get modem firmware version response" }, })
 field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "response", title = "Service status response",
     doc = "What the server knows of the connection.", least = 17,
@@ -3067,7 +3067,7 @@ field({ descriptor = 0x02, name = "system.interface_control", role = "command", 
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
     } }, { { set = 0x7F, name = "system.interface_control", title = "Interface control" }, })
@@ -3082,7 +3082,7 @@ field({ descriptor = 0x82, name = "system.interface_control_response", role = "r
     doc = "", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." },
+      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." },
       { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." },
       { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." },
     } }, { { set = 0x7F, name = "system.interface_control_response", title = "Interface control response" }, })
@@ -3203,7 +3203,7 @@ field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Co
     doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The inverse of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
 field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "GPS time of the sensor data.", least = 12,
@@ -3233,7 +3233,7 @@ field({ descriptor = 0x17, name = "sensor.scaled_pressure", role = "data", title
     always = 1,
     plain = true,
     rows = {
-      { kind = "scalar", name = "scaled_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Ambient pressure. Unit: mbar." },
+      { kind = "scalar", name = "scaled_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Ambient pressure. Unit: mbar. Range: at least 0." },
     } }, { { set = 0x80, name = "sensor.scaled_pressure", title = "Scaled pressure" }, })
 field({ descriptor = 0x18, name = "sensor.overrange_status", role = "data", title = "Overrange status",
     doc = "Which sensor axes are near or outside their range.", least = 2,
@@ -3266,7 +3266,7 @@ field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", titl
     always = 3,
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
+      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which parts of the position are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
@@ -3274,11 +3274,11 @@ field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title
     always = 7,
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
+      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
-      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
+      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
+      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
@@ -3286,7 +3286,7 @@ field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", titl
     always = 3,
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
+      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which parts of the velocity are valid." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
@@ -3306,10 +3306,10 @@ field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "
     doc = "Coordinated universal time as the receiver knows it.", least = 13,
     always = 8,
     rows = {
-      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set." },
+      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year with its century. Valid if valid_flags.gnss_date_time is set." },
+      { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month, 1 for January. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "day", type = "u8", size = 1, doc = "Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "hour", type = "u8", size = 1, doc = "Hour. Range: 0 to 23. Valid if valid_flags.gnss_date_time is set." },
+      { kind = "scalar", name = "hour", type = "u8", size = 1, doc = "Hour of the day. Range: 0 to 23. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
@@ -3329,14 +3329,14 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
+      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = {
-      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Type of the fix. Valid if valid_flags.fix_type is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "What the receiver can determine at present. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
       { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which parts of the fix information are valid." },
@@ -3349,7 +3349,7 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
       { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Valid if valid_flags.elevation is set." },
+      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which parts of the satellite info are valid." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
@@ -3366,7 +3366,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
     doc = "State of the differential corrections.", least = 12,
     always = 5,
     rows = {
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
@@ -3377,7 +3377,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which parts of the state of the corrections are valid." },
@@ -3387,7 +3387,7 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m. Valid if valid_flags.range_correction is set." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which parts of a differential correction are valid." },
@@ -3398,8 +3398,8 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
-      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
+      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
+      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which clock parameters are valid." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
@@ -3440,7 +3440,7 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 6,
     rows = {
-      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
+      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band that the states are about. Valid if valid_flags.rf_band is set." },
       { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
@@ -3484,16 +3484,16 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "tracking_channel", type = "u8", size = 1, doc = "Channel that tracks the satellite. Valid if valid_flags.tracking_channel is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal. Valid if valid_flags.signal_id is set." },
+      { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal of the satellite that was tracked. Valid if valid_flags.signal_id is set." },
       { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set." },
       { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "How well the signal is tracked. Valid if valid_flags.quality is set." },
-      { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Pseudorange. Unit: m. Valid if valid_flags.pseudorange is set." },
-      { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
+      { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if valid_flags.pseudorange is set." },
+      { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
       { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set." },
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
-      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if valid_flags.lock_time is set." },
+      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which parts of the observation are valid." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
@@ -3516,10 +3516,10 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
       { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
-      { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Valid if valid_flags.gps_latency is set." },
-      { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Valid if valid_flags.glonass_latency is set." },
-      { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Valid if valid_flags.galileo_latency is set." },
-      { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Valid if valid_flags.beidou_latency is set." },
+      { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if valid_flags.gps_latency is set." },
+      { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if valid_flags.glonass_latency is set." },
+      { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set." },
+      { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if valid_flags.beidou_latency is set." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 4, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u32", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x91, name = "gnss_1.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x92, name = "gnss_2.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x93, name = "gnss_corrections.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x94, name = "gnss_external.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x95, name = "gnss_external_2.rtk_corrections_status", title = "RTK corrections status" }, })
@@ -3535,24 +3535,24 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Argument of perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
@@ -3604,24 +3604,24 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Argument of perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
@@ -3643,24 +3643,24 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Argument of perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
@@ -3815,7 +3815,7 @@ field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = 
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
@@ -3864,8 +3864,8 @@ field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", t
       { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Northward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Eastward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Downward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
@@ -3900,7 +3900,7 @@ field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title =
     doc = "Estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Bias. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
 field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
@@ -3914,7 +3914,7 @@ field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title
     doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
@@ -3923,9 +3923,9 @@ field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "dat
     rows = {
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Density. Unit: kg/m^3. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature that the model has at this altitude. Unit: degC. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
@@ -3933,7 +3933,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
@@ -3941,7 +3941,7 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
@@ -4123,7 +4123,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Whether the values of a field may be used." },
@@ -4141,7 +4141,7 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation of the error of the translation. Unit: m. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
 field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
@@ -4214,7 +4214,7 @@ field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "D
     doc = "External time since this field was last sent in the same set and event instance.", least = 8,
     always = 1,
     rows = {
-      { kind = "scalar", name = "seconds", type = "double", size = 8, units = {"s", }, doc = "Time since the last output. Unit: s." },
+      { kind = "scalar", name = "seconds", type = "double", size = 8, units = {"s", }, doc = "Time since the last output. Unit: s. Range: at least 0." },
     } }, { { set = 0xFF, name = "shared.delta_time", title = "Delta time" }, })
 field({ descriptor = 0xD5, name = "shared.reference_timestamp", role = "data", title = "Reference timestamp",
     doc = "Time of the data by the internal reference clock.", least = 8,

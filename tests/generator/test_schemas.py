@@ -18,7 +18,7 @@ import pytest
 import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
-from mipgen.read.loader import ACCEPTED, LAYOUT, WITNESSES
+from mipgen.read.loader import BESIDE, LAYOUT, WITNESSES
 from support import model
 
 ROOT = Path(__file__).parents[2]
@@ -126,7 +126,7 @@ def test_a_file_names_its_schema(kind: str, path: Path) -> None:
     assert found, f"{path}: the first line must name the schema"
     text = path.read_text("utf-8")
     several = kind == "device" and ("\ndevices:\n" in text or "\nfamilies:\n" in text)
-    of = "devices" if several else ACCEPTED if path.stem == ACCEPTED else kind
+    of = "devices" if several else path.stem if path.stem in BESIDE.values() else kind
     assert (path.parent / found[1]).resolve() == SCHEMAS / f"{of}.schema.json"
 
 

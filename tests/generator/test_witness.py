@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.audit import tables, witnesses
+from mipgen.audit import sdk, tables, witnesses
+from mipgen.base.errors import Failure
 from mipgen.read.problems import SpecError
 from small_specs import load
 from support import ROOT, SEED, model, rounds
@@ -203,7 +205,7 @@ def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
     assert witnesses.audit(load(SPEC), folder).lines() == []
     more = '- {key: "0x05,0x07", role: command, name: Sing, parameters: [{name: key, type: u16}]}\nstructs:'
     revision.write_text(FACTS.replace("structs:", more, 1).replace("named: {}", 'named: {"0x05,0x09": HUM}'), "utf-8")
-    assert [str(d) for d in witnesses.audit(load(SPEC), folder, revision).differences] == [
+    assert [str(d) for d in witnesses.audit(load(SPEC), folder, witnesses.read(revision)).differences] == [
         "0x05,0x07: no such command; the witness has Sing: key:u16 (sdk)",
         "0x05,0x09: not listed; the witness names it HUM (sdk)",
     ]
@@ -212,7 +214,7 @@ def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
 def test_the_specification_agrees_with_its_witnesses() -> None:
     found = witnesses.audit(model("real"), ROOT / "spec/witness")
     assert found.lines() == []
-    assert found.counts["layouts"] > 700
+    assert found.counts["layouts"] > 600
     assert found.counts["units"] > 1200
 
 
@@ -220,7 +222,7 @@ def test_most_random_changes_are_found() -> None:
     """One of each kind; `python tests/witness_changes.py` makes 200."""
     found = run(rounds(11, 200), SEED, False)
     missed = [str(place) for place, by in found if not by]
-    assert 2 * len(missed) < len(found), missed
+    assert 5 * len(missed) < len(found), missed
 
 
 # --------------------------------------------------------------------------- tables of manuals
@@ -272,13 +274,13 @@ def test_tables_of_a_manual(tmp_path: Path) -> None:
         {"name": "flags", "type": "u16", "for": "W", "bits": {"a": [0, 1], "b": [1, 3]}},
         {"name": "entries", "type": "struct", "struct": "Entry", "by": "num", "for": "W"},
     ]
-    assert layouts["0x05,0x90"]["parameters"] == [{"name": "sec", "type": "u8", "range": [0.0, 59.0]}]
+    assert layouts["0x05,0x90"]["parameters"] == [{"name": "sec", "type": "u8", "unit": "second", "range": [0.0, 59.0]}]
     assert [p["type"] for p in layouts["0x85,0x04"]["parameters"]] == ["float", "u16"]
     assert layouts["0x05,0x20"]["parameters"] == [
         {"label": "enable", "type": "u8"},
         {"label": "time", "type": "float", "unit": "sec", "default": 10.0, "range": [1.0, 1000.0]},
     ]
-    assert facts["units"] == {"m/s": ["meters/second"], "rad": ["radians"], "s": ["sec"]}
+    assert facts["units"] == {"m/s": ["meters/second"], "rad": ["radians"], "s": ["sec", "second"]}
 
 
 def test_extracted_facts_are_a_witness(tmp_path: Path) -> None:
@@ -286,6 +288,287 @@ def test_extracted_facts_are_a_witness(tmp_path: Path) -> None:
     path.write_text(MANUAL, "utf-8")
     folder = tmp_path / "witness"
     folder.mkdir()
-    (folder / "book.yaml").write_text(tables.dump(tables.extract("book", path)), "utf-8")
+    (folder / "book.yaml").write_text(tables.dump(tables.extract("book", path), "by a test"), "utf-8")
     found = witnesses.audit(load(SPEC), folder)
     assert [d.at for d in found.differences] == ["0x05,0x10", "0x05,0x90", "0x85,0x04", "0x05,0x20"]
+
+
+# --------------------------------------------------------------------------- a working copy of the SDK
+
+HEADER = """\
+#pragma once
+
+namespace mip {
+namespace C {
+struct mip_interface;
+} // namespace C
+
+namespace commands_radio {
+
+enum
+{
+    DESCRIPTOR_SET = 0x05,
+
+    CMD_TUNE       = 0x01,
+    CMD_LOST       = 0x33,
+
+    REPLY_TUNE     = 0x81,
+};
+
+static constexpr const uint8_t LOUDEST = 0x09;
+enum class Tone : uint8_t
+{
+    NONE = 0,  ///<
+    LOW  = 1,  ///<
+};
+
+////////////////////////////////////////////////////////////////////////////////
+///@defgroup radio_tune_cpp  (0x05,0x01) Tune
+/// Each of the noise values must be greater than 0.0 in the NED frame.
+///@{
+
+struct Tune
+{
+    struct State : Bitfield<State>
+    {
+        typedef uint16_t Type;
+        enum _enumType : uint16_t
+        {
+            NONE  = 0x0000,
+            ON    = 0x0001,  ///<
+            LEVEL = 0x000E,  ///<
+            ALL   = 0x000F,
+        };
+        uint16_t value = NONE;
+
+        constexpr State() : value(NONE) {}
+        constexpr bool on() const { return (value & ON) > 0; }
+    };
+    struct Step
+    {
+        /// Parameters
+        int16_t at = 0; ///< Time in seconds
+        uint8_t size = 0;
+
+        void extract(Serializer& serializer);
+    };
+    union Extra
+    {
+        Step step;
+        float speed;
+
+        Extra() {}
+    };
+    /// Parameters
+    FunctionSelector function = static_cast<FunctionSelector>(0);
+    uint8_t channel = 0; ///< Channel, counted from 1.
+    Tone tone = static_cast<Tone>(0); ///< Tone (1 - high).
+    State state; ///< State.
+    uint8_t level = 0; ///< Level: <br/> 0=Off, <br/> 1=Low (default).
+    Vector3f noise; ///< Noise [meters/second]
+    uint8_t num_steps = 0;
+    Step steps[7];
+    uint16_t masks[3] = {0}; ///< Masks.
+    Extra extra;
+    union
+    {
+        double low;
+        double interval;
+    };
+
+    /// Descriptors
+    static constexpr const uint8_t FIELD_DESCRIPTOR = ::mip::commands_radio::CMD_TUNE;
+    static constexpr const bool HAS_FUNCTION_SELECTOR = true;
+
+    auto asTuple() const
+    {
+        return std::make_tuple(channel);
+    }
+
+    struct Response
+    {
+        /// Parameters
+        uint8_t channel = 0; ///< Channel, counted from 1.
+
+        static constexpr const uint8_t FIELD_DESCRIPTOR = ::mip::commands_radio::REPLY_TUNE;
+
+        void extract(Serializer& serializer);
+    };
+};
+TypedResult<Tune> writeTune(C::mip_interface& device, uint8_t channel);
+TypedResult<Tune> readTune(C::mip_interface& device, uint8_t channel);
+
+///@}
+} // namespace commands_radio
+} // namespace mip
+"""
+
+IMPLEMENTATION = """\
+void Tune::Step::extract(Serializer& serializer)
+{
+    serializer.extract(at);
+    serializer.extract(size);
+}
+
+void Tune::extract(Serializer& serializer)
+{
+    serializer.extract(function);
+
+    serializer.extract(channel);
+
+    if( function == FunctionSelector::WRITE )
+    {
+        serializer.extract(tone);
+
+        serializer.extract(state);
+
+        serializer.extract(level);
+
+        serializer.extract(noise);
+
+        serializer.extract_count(num_steps, sizeof(steps)/sizeof(steps[0]));
+        for(unsigned int i=0; i < num_steps; i++)
+            serializer.extract(steps[i]);
+
+        for(unsigned int i=0; i < 3; i++)
+            serializer.extract(masks[i]);
+
+        if( tone == Tone::NONE )
+        {
+            serializer.extract(extra.step);
+
+        }
+        if( tone == Tone::LOW )
+        {
+            serializer.extract(extra.speed);
+
+        }
+        if( tone == Tone::NONE )
+        {
+            serializer.extract(low);
+
+        }
+        if( tone == Tone::LOW )
+        {
+            serializer.extract(interval);
+
+        }
+    }
+}
+void Tune::Response::extract(Serializer& serializer)
+{
+    serializer.extract(channel);
+
+}
+"""
+
+
+def working_copy(folder: Path) -> Path:
+    files = {
+        "src/cpp/mip/definitions/commands_radio.hpp": HEADER,
+        "src/cpp/mip/definitions/commands_radio.cpp": IMPLEMENTATION,
+        "src/c/mip/mip_result.h": "    MIP_ACK_OK = 0x00,  ///< Good.\n",
+        "src/c/mip/mip_descriptors.h": "    MIP_FUNCTION_WRITE = 0x01,\n",
+    }
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, "utf-8")
+    return folder
+
+
+def test_a_working_copy_of_the_sdk(tmp_path: Path) -> None:
+    facts = sdk.extract(working_copy(tmp_path))
+    tune, reply = facts["layouts"]
+    about = {"key": "0x05,0x01", "role": "command", "name": "commands_radio::Tune", "functions": "WR"}
+    assert {key: tune[key] for key in about} == about
+    assert tune["response"] == "0x81"
+    assert tune["frames"] == ["ned"]
+    step = {"type": "struct", "struct": "commands_radio::Tune::Step"}
+    vector = {"type": "float", "count": 3, "of": "Vector3f"}
+    assert tune["parameters"] == [
+        {"name": "channel", "type": "u8", "range": [1.0, None], "for": "WR"},
+        {"name": "tone", "type": "u8", "enum": "commands_radio::Tone", "for": "W"},
+        {"name": "state", "type": "u16", "bitfield": "commands_radio::Tune::State", "for": "W"},
+        {"name": "level", "type": "u8", "values": {"OFF": 0, "LOW": 1}, "default": 1, "for": "W"},
+        {"name": "noise", **vector, "unit": "meters/second", "above": 0, "for": "W"},
+        {"name": "num_steps", "type": "u8", "for": "W"},
+        {"name": "steps", **step, "by": "num_steps", "max": 7, "for": "W"},
+        {"name": "masks", "type": "u16", "count": 3, "for": "W"},
+        {
+            "name": "extra",
+            "type": "union",
+            "by": "tone",
+            "for": "W",
+            "cases": [
+                {"name": "step", **step, "when": ["NONE", 0]},
+                {"name": "speed", "type": "float", "when": ["LOW", 1]},
+            ],
+        },
+        {"name": "low", "type": "double", "for": "W"},
+    ]
+    assert (reply["key"], reply["parameters"][0]["name"]) == ("0x05,0x81", "channel")
+    assert facts["structs"]["commands_radio::Tune::Step"][0] == {"name": "at", "type": "s16", "unit": "seconds"}
+    assert facts["enums"]["commands_radio::Tone"] == {"type": "u8", "values": {"NONE": 0, "LOW": 1}}
+    assert facts["bitfields"]["commands_radio::Tune::State"] == {"type": "u16", "bits": {"ON": [0, 1], "LEVEL": [1, 3]}}
+    assert facts["constants"] == {"commands_radio": {"LOUDEST": 9}}
+    assert facts["named"] == {"0x05,0x33": "CMD_LOST"}
+    assert facts["enums"]["FunctionSelector"] == {"type": "u8", "values": {"WRITE": 1}}
+
+
+def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is compared with the specification, or becomes its witness."""
+    copy = working_copy(tmp_path / "copy")
+    arguments = ["audit", "--spec", str(ROOT / "spec"), "--sdk", str(copy)]
+    assert cli.main(arguments) == 1
+    assert "0x05,0x01: no such command; the witness has commands_radio::Tune: " in capsys.readouterr().out
+    spec = tmp_path / "spec"
+    shutil.copytree(ROOT / "spec", spec)
+    assert cli.main(["audit", "--spec", str(spec), "--sdk", str(copy), "--extract"]) == 0
+    assert witnesses.read(spec / "witness/sdk.yaml")["layouts"] == sdk.extract(copy)["layouts"]
+
+
+def test_a_working_copy_of_another_form(tmp_path: Path) -> None:
+    copy = working_copy(tmp_path)
+    (copy / "src/cpp/mip/definitions/commands_radio.cpp").write_text("// empty\n", "utf-8")
+    with pytest.raises(Failure, match="definitions of another form: nothing defines 'Tune"):
+        sdk.extract(copy)
+
+
+# --------------------------------------------------------------------------- rules
+
+RULES = """\
+rules:
+- {names: [channel], if_range: [1, ~]}
+- {names: [gain, speed], of: float, range: [0, ~]}
+- {fields: [radio.move], names: [place], unit: [m]}
+- {names: ["spe*"], unit: [s], type: float}
+- {names: [size], unit_of: "size -> at"}
+- {default: [none]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("fact", "other", "message"),
+    [
+        ("range: [1, 8]", "range: [2, 8]", "radio.tune: channel: range 2 to 8, a rule has 1 to none"),
+        ("above: 0", "above: 1", "radio.tune: gain: range 1 to none, a rule has 0 to none"),
+        ("vector3f, unit: m", "vector3f, unit: s", "radio.move: place: unit s, a rule has m"),
+        ("speed, type: float", "speed, type: u32", "radio.move: speed: type u32, a rule has float"),
+        ("size, type: u8, unit: s", "size, type: u8, unit: m", "step: size: unit m, that of at is s"),
+        ("default: none", "default: low", "radio.tune: tone: default low, a rule has none"),
+    ],
+)
+def test_a_rule(tmp_path: Path, fact: str, other: str, message: str) -> None:
+    (tmp_path / "rules.yaml").write_text(RULES, "utf-8")
+    spec = SPEC.replace("default: low", "default: none").replace("size, type: u8", "size, type: u8, unit: s")
+    spec = spec.replace("{name: speed, type: float, unit: s", "{name: speed, type: float, range: [0, ~], unit: s")
+    assert [d.text for d in witnesses.audit(load(spec), tmp_path).differences] == []
+    assert spec.count(fact) == 1
+    found = witnesses.audit(load(spec.replace(fact, other)), tmp_path).differences
+    assert message in {f"{d.at}: {d.text}" for d in found}
+
+
+def test_a_rule_of_a_frame(tmp_path: Path) -> None:
+    (tmp_path / "rules.yaml").write_text("rules: [{names: [pl*], frame: [ned]}]\n", "utf-8")
+    (found,) = witnesses.audit(load(SPEC), tmp_path).differences
+    assert f"{found.at}: {found.text}" == "radio.move: place: frame sensor, a rule has ned"

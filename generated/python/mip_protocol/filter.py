@@ -1325,9 +1325,10 @@ class MagneticDeclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
-    is, but give one length, with the value. Sending it always fits both.
+    """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
+    3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The manuals,
+    that of the 3DM-GQ7 included, require it only if it is, but give one length, with the value.
+    Sending it always fits both.
     """
 
     def __init__(self, source: MagParameterSource, declination: float) -> None:
@@ -1407,7 +1408,7 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
     """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
@@ -1533,7 +1534,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
     """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
     the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
@@ -1655,7 +1656,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     enable: bool
     """Whether the adaptation is on."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
     """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
     inferred from the quantity.
@@ -1811,9 +1812,9 @@ class MagneticInclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the inclination."""
     inclination: float
-    """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
-    always sends it.
+    """Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
+    1.5707963267948966. Uncertain: Whether it may be left out if `source` is not manual, as the
+    manuals state for `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(self, source: MagParameterSource, inclination: float) -> None:
@@ -1858,9 +1859,9 @@ class MagneticMagnitudeSourceResponse(Response):
     source: MagParameterSource
     """Source of the magnitude."""
     magnitude: float
-    """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
-    always sends it.
+    """Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain:
+    Whether it may be left out if `source` is not manual, as the manuals state for
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(self, source: MagParameterSource, magnitude: float) -> None:
@@ -2801,7 +2802,9 @@ class SetInitialAttitudeFromImu(Command[None]):
     _LAYOUT = (("declination", "f", None),)
 
     declination: float
-    """Local declination of the magnetic field. Unit: rad."""
+    """Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+    3.141592653589793.
+    """
 
     def __init__(self, declination: float) -> None:
         self.declination = declination
@@ -5903,9 +5906,10 @@ class MagneticDeclinationSource(Command[R]):
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
     declination: float | None
-    """Declination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
-    require it only if it is, but give one length, with the value. Sending it always fits both.
+    """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
+    3.141592653589793. Required for `write`. Uncertain: Whether it may be left out if `source` is
+    not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+    length, with the value. Sending it always fits both.
     """
 
     def __init__(
@@ -6072,7 +6076,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
       `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
     low_limit: float | None
     """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None
@@ -6333,7 +6337,8 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
       `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
+    """
     low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
@@ -6593,7 +6598,8 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     enable: bool | None
     """Whether the adaptation is on. Required for `write`."""
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
+    """
     high_limit: float | None
     """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK gives
     m/s^2; rad is inferred from the quantity.
@@ -6992,9 +6998,9 @@ class MagneticInclinationSource(Command[R]):
     source: MagParameterSource | None
     """Source of the inclination. Required for `write`."""
     inclination: float | None
-    """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual, as the manuals state for
-    `MagneticDeclinationSource`. The SDK always sends it.
+    """Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
+    1.5707963267948966. Required for `write`. Uncertain: Whether it may be left out if `source` is
+    not manual, as the manuals state for `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -7119,9 +7125,9 @@ class MagneticMagnitudeSource(Command[R]):
     source: MagParameterSource | None
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
-    """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual, as the manuals state for
-    `MagneticDeclinationSource`. The SDK always sends it.
+    """Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for
+    `write`. Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
+    for `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(

@@ -1317,8 +1317,8 @@ class Wgs84GravityMagnitude(Data):
     _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     gravity_magnitude: float
-    """Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and
+    level: 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -1759,12 +1759,12 @@ class MagneticModel(Data):
     `valid_flags` is set.
     """
     inclination: float
-    """Angle of the field below the horizontal plane. Unit: rad. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to
+    1.5707963267948966. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     declination: float
-    """Angle from true north to magnetic north. Unit: rad. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to
+    3.141592653589793. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2063,8 +2063,8 @@ class MagBias(Data):
     _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
-    """Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Estimated bias of the magnetometer. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2171,8 +2171,9 @@ class CompAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
-    -9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Acceleration with the estimated bias removed; gravity is included. Elements: x, y, z. Unit:
+    m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2256,11 +2257,17 @@ class StandardAtmosphere(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     standard_temperature: float
-    """Temperature. Unit: degC. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Temperature that the model has at this altitude. Unit: degC. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     standard_pressure: float
-    """Pressure. Unit: mbar. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     standard_density: float
-    """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
 
@@ -2341,7 +2348,8 @@ class PressureAltitude(Data):
     _LAYOUT = (("pressure_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     pressure_altitude: float
-    """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most
+    84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
@@ -2389,7 +2397,9 @@ class DensityAltitude(Data):
     _LAYOUT = (("density_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     density_altitude: float
-    """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    """Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Whether the values of a field may be used."""
 
@@ -3794,8 +3804,8 @@ class GnssDualAntennaStatus(Data):
     from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
-    """Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     fix_type: DualAntennaFixType
     """Kind of solution."""
@@ -3947,7 +3957,9 @@ class AidingFrameConfigErrorUncertainty(Data):
     frame_id: int
     """Number of the frame."""
     translation_uncertainty: types.Vector3f
-    """Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0."""
+    """Standard deviation of the error of the translation. Elements: x, y, z. Unit: m. Range: at
+    least 0.
+    """
     attitude_uncertainty: types.Vector3f
     """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.
     """

@@ -195,7 +195,7 @@ class ReceiverInfoResponse(Response):
     # On the wire only: num_receivers. Number of physical receivers. The number of elements of
     # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
-    """The receivers."""
+    """One entry for each receiver."""
 
     def __init__(self, receiver_info: Sequence[ReceiverInfoEntry]) -> None:
         self.receiver_info = codec.several(receiver_info)

@@ -885,7 +885,7 @@ class EcefPosition(Shared, Data):
     `EcefPositionFlags.POSITION` of `valid_flags` is set.
     """
     position_accuracy: float
-    """Accuracy of the position. Unit: m. Range: at least 0. Valid if
+    """Estimated error of the position. Unit: m. Range: at least 0. Valid if
     `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
@@ -985,7 +985,9 @@ class NedVelocity(Shared, Data):
     level: north 0, east 0, down 0. Valid if `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     speed: float
-    """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
+    """Speed in space. Unit: m/s. Range: at least 0. Valid if `NedVelocityFlags.SPEED_3D` of
+    `valid_flags` is set.
+    """
     ground_speed: float
     """Speed over ground. Unit: m/s. Range: at least 0. Valid if `NedVelocityFlags.GROUND_SPEED` of
     `valid_flags` is set.
@@ -995,11 +997,11 @@ class NedVelocity(Shared, Data):
     above. Valid if `NedVelocityFlags.HEADING` of `valid_flags` is set.
     """
     speed_accuracy: float
-    """Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+    """Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if
     `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags` is set.
     """
     heading_accuracy: float
-    """Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
+    """Estimated error of the heading. Unit: deg. Range: at least 0. Valid if
     `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: NedVelocityFlags
@@ -1088,7 +1090,7 @@ class EcefVelocity(Shared, Data):
     0, z 0. Valid if `EcefVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     velocity_accuracy: float
-    """Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
+    """Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if
     `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
@@ -1273,15 +1275,19 @@ class UtcTime(Shared, Data):
     )
 
     year: int
-    """Year. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    """Year with its century. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     month: int
-    """Month. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    """Month, 1 for January. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags`
+    is set.
+    """
     day: int
     """Day of the month. Range: 1 to 31. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
     set.
     """
     hour: int
-    """Hour. Range: 0 to 23. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    """Hour of the day. Range: 0 to 23. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
     min: int
     """Minute. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     sec: int
@@ -1352,7 +1358,8 @@ class GpsTime(Shared, Data):
     GPS time as the receiver knows it.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. Probably supported by
+    (0x94) and gnss_external_2 (0x95). Flagged by `types.Gq7ContinuousBuiltInTest.GPS_TIME_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS. Probably supported by
     3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX3-35, 3DM-GX3-45,
     3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -1433,8 +1440,8 @@ class ClockInfo(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfoFlags.DRIFT` of `valid_flags` is set."""
     accuracy_estimate: float
-    """Estimated accuracy. Unit: s. Range: at least 0. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE`
-    of `valid_flags` is set.
+    """Estimated error of the bias. Unit: s. Range: at least 0. Valid if
+    `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
     """Which clock parameters are valid."""
@@ -1472,9 +1479,22 @@ class FixInfo(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Probably changed by `mip_3dm.ConstellationSettings`,
-    `gnss.SignalConfig` and `gnss.RtkConfig`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
-    3DM-GQ7-GNSS/INS. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS,
-    3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
+    `gnss.SignalConfig` and `gnss.RtkConfig`. Flagged by
+    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_1_STALL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.GNSS_RECEIVER_2_STALL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_1_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7ContinuousBuiltInTest.RECEIVER_2_NO_SOLUTION` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_1_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_POWER_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_FAULT` of `types.Gq7ContinuousBuiltInTest` and
+    `types.Gq7ContinuousBuiltInTest.RECEIVER_2_SOLUTION_FAULT` of `types.Gq7ContinuousBuiltInTest`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Probably supported by
+    3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-INS, 3DM-GV7-INS, 3DM-GX5-35 and 3DM-GX5-45. Refused
+    by 3DM-CV7-AHRS, 3DM-GX3-25 and 3DM-GX5-25.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
@@ -1496,7 +1516,9 @@ class FixInfo(Shared, Data):
     )
 
     fix_type: types.GnssFixType
-    """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
+    """What the receiver can determine at present. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags`
+    is set.
+    """
     num_sv: int
     """Number of satellites used in the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of
     `valid_flags` is set.
@@ -1609,8 +1631,8 @@ class SvInfo(Shared, Data):
     `valid_flags` is set.
     """
     elevation: int
-    """Angle of the satellite above the horizon. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of
-    `valid_flags` is set.
+    """Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if
+    `SvInfoFlags.ELEVATION` of `valid_flags` is set.
     """
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
@@ -1674,9 +1696,13 @@ class HardwareStatus(Shared, Data):
     State of the receiver and of its antenna.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45 and
-    3DM-GX5-35.
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_SHORTED` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_1_OPEN` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_SHORTED` of `types.Gq7ContinuousBuiltInTest` and
+    `types.Gq7ContinuousBuiltInTest.ANTENNA_2_OPEN` of `types.Gq7ContinuousBuiltInTest`. Supported
+    by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Probably supported by 3DM-CV5-45,
+    3DM-CX5-35, 3DM-CX5-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
@@ -1783,8 +1809,8 @@ class DgpsInfo(Shared, Data):
     )
 
     age: float
-    """Age of the corrections. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
-    Uncertain: The unit, which follows from `DgpsChannel`.
+    """Age of the corrections. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of
+    `valid_flags` is set. Uncertain: The unit, which follows from `DgpsChannel`.
     """
     base_station_id: int
     """Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `valid_flags` is set.
@@ -1888,8 +1914,8 @@ class DgpsInfoSatellite(Shared, Data):
     satellite_id: int
     """Number of the satellite."""
     age: float
-    """Age of the correction. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
-    Uncertain: The unit, which follows from `DgpsChannel`.
+    """Age of the correction. Unit: s. Range: at least 0. Valid if `DgpsInfoFlags.AGE` of
+    `valid_flags` is set. Uncertain: The unit, which follows from `DgpsChannel`.
     """
     range_correction: float
     """Correction of the range. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`."""
@@ -1986,7 +2012,9 @@ class DgpsChannel(Shared, Data):
     satellite_id: int
     """Number of the satellite. Valid if `DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set."""
     age: float
-    """Age of the correction. Unit: s. Valid if `DgpsChannelFlags.AGE` of `valid_flags` is set."""
+    """Age of the correction. Unit: s. Range: at least 0. Valid if `DgpsChannelFlags.AGE` of
+    `valid_flags` is set.
+    """
     range_correction: float
     """Correction of the range. Unit: m. Valid if `DgpsChannelFlags.RANGE_CORRECTION` of
     `valid_flags` is set.
@@ -2086,11 +2114,11 @@ class ClockInfo2(Shared, Data):
     drift: float
     """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. Unit: s. Range: at least 0. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of
-    `valid_flags` is set.
+    """Estimated error of the bias. Unit: s. Range: at least 0. Valid if
+    `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is set.
     """
     drift_accuracy_estimate: float
-    """Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+    """Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if
     `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
@@ -2512,7 +2540,9 @@ class RfErrorDetection(Shared, Data):
     )
 
     rf_band: RfBand
-    """Band. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is set."""
+    """Band that the states are about. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is
+    set.
+    """
     jamming_state: JammingState
     """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
     spoofing_state: SpoofingState
@@ -2946,7 +2976,9 @@ class Raw(Shared, Data):
     """Satellite within the constellation. Valid if `RawFlags.SATELLITE_ID` of `valid_flags` is set.
     """
     signal_id: types.GnssSignal
-    """Signal. Valid if `RawFlags.SIGNAL_ID` of `valid_flags` is set."""
+    """Signal of the satellite that was tracked. Valid if `RawFlags.SIGNAL_ID` of `valid_flags` is
+    set.
+    """
     signal_strength: float
     """Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of
     `valid_flags` is set.
@@ -2954,9 +2986,13 @@ class Raw(Shared, Data):
     quality: SignalQuality
     """How well the signal is tracked. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
     pseudorange: float
-    """Pseudorange. Unit: m. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set."""
+    """Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least
+    0. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set.
+    """
     carrier_phase: float
-    """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
+    """Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle.
+    Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set.
+    """
     doppler: float
     """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
     range_uncertainty: float
@@ -2972,8 +3008,8 @@ class Raw(Shared, Data):
     `RawFlags.DOPPLER_UNCERTAINTY` of `valid_flags` is set.
     """
     lock_time: float
-    """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
-    `RawFlags.LOCK_TIME` of `valid_flags` is set.
+    """Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0.
+    Valid if `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
     """Which parts of the observation are valid."""
@@ -3241,7 +3277,9 @@ class RtkCorrectionsStatus(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Probably changed by `gnss.RtkDongleConfig` and
-    `gnss.SpartnConfig`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by 3DM-GX5-25.
+    `gnss.SpartnConfig`. Flagged by `types.Gq7ContinuousBuiltInTest.RTCM_COMM_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. Refused by
+    3DM-GX5-25.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
@@ -3306,19 +3344,19 @@ class RtkCorrectionsStatus(Shared, Data):
     response to `rtk.GetStatusFlags`, in one of its two forms.
     """
     gps_correction_latency: float
-    """Latency of the last GPS correction. Unit: s. Valid if `RtkCorrectionsStatusFlags.GPS_LATENCY`
-    of `valid_flags` is set.
+    """Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if
+    `RtkCorrectionsStatusFlags.GPS_LATENCY` of `valid_flags` is set.
     """
     glonass_correction_latency: float
-    """Latency of the last GLONASS correction. Unit: s. Valid if
+    """Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if
     `RtkCorrectionsStatusFlags.GLONASS_LATENCY` of `valid_flags` is set.
     """
     galileo_correction_latency: float
-    """Latency of the last Galileo correction. Unit: s. Valid if
+    """Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if
     `RtkCorrectionsStatusFlags.GALILEO_LATENCY` of `valid_flags` is set.
     """
     beidou_correction_latency: float
-    """Latency of the last BeiDou correction. Unit: s. Valid if
+    """Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if
     `RtkCorrectionsStatusFlags.BEIDOU_LATENCY` of `valid_flags` is set.
     """
     reserved: tuple[int, int, int, int]
@@ -3580,8 +3618,8 @@ class GpsEphemeris(Shared, Data):
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     af0: float
     """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -3601,17 +3639,21 @@ class GpsEphemeris(Shared, Data):
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     a: float
-    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Semi-major axis. Unit: m. Range: greater than 0. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a_dot: float
     """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
     is set.
     """
     mean_anomaly: float
-    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Mean anomaly at the reference time. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion: float
     """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
@@ -3621,9 +3663,12 @@ class GpsEphemeris(Shared, Data):
     of `valid_flags` is set.
     """
     eccentricity: float
-    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     argument_of_perigee: float
-    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """Angle from the ascending node to the perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
     """
     omega: float
     """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
@@ -3634,7 +3679,9 @@ class GpsEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     inclination: float
-    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Inclination of the orbit at the reference time. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     inclination_dot: float
     """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
     set.
@@ -4409,8 +4456,8 @@ class GalileoEphemeris(Shared, Data):
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     af0: float
     """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -4430,17 +4477,21 @@ class GalileoEphemeris(Shared, Data):
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     a: float
-    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Semi-major axis. Unit: m. Range: greater than 0. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a_dot: float
     """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
     is set.
     """
     mean_anomaly: float
-    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Mean anomaly at the reference time. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion: float
     """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
@@ -4450,9 +4501,12 @@ class GalileoEphemeris(Shared, Data):
     of `valid_flags` is set.
     """
     eccentricity: float
-    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     argument_of_perigee: float
-    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """Angle from the ascending node to the perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
     """
     omega: float
     """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
@@ -4463,7 +4517,9 @@ class GalileoEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     inclination: float
-    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Inclination of the orbit at the reference time. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     inclination_dot: float
     """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
     set.
@@ -4869,8 +4925,8 @@ class BeidouEphemeris(Shared, Data):
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     af0: float
     """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -4890,17 +4946,21 @@ class BeidouEphemeris(Shared, Data):
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     a: float
-    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Semi-major axis. Unit: m. Range: greater than 0. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a_dot: float
     """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
     is set.
     """
     mean_anomaly: float
-    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Mean anomaly at the reference time. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion: float
     """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
@@ -4910,9 +4970,12 @@ class BeidouEphemeris(Shared, Data):
     of `valid_flags` is set.
     """
     eccentricity: float
-    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     argument_of_perigee: float
-    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """Angle from the ascending node to the perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
     """
     omega: float
     """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
@@ -4923,7 +4986,9 @@ class BeidouEphemeris(Shared, Data):
     `valid_flags` is set.
     """
     inclination: float
-    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    """Inclination of the orbit at the reference time. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     inclination_dot: float
     """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
     set.

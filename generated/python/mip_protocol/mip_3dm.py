@@ -118,7 +118,7 @@ class ConstellationSettingsEntry(Structure):
     )
 
     constellation_id: ConstellationId
-    """Constellation."""
+    """Constellation that this entry configures."""
     enable: int
     """1 switches it on, 0 off. Range: 0 to 1."""
     reserved_channels: int
@@ -126,7 +126,7 @@ class ConstellationSettingsEntry(Structure):
     max_channels: int
     """Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
-    """Options."""
+    """Options of this constellation."""
 
     def __init__(
         self,
@@ -1060,7 +1060,7 @@ class DataStreamFormatResponse(Response):
     _LAYOUT = (("stream", "B", InternalSensor), ("format", "B", StreamFormat))
 
     stream: InternalSensor
-    """The stream."""
+    """Stream whose format is set or read."""
     format: StreamFormat
     """Its format."""
 
@@ -3056,7 +3056,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     gyro_range: int
     """Range of the gyroscope."""
     accel_range: int
-    """Range of the accelerometer."""
+    """Largest acceleration that can be measured."""
     reserved: int
     """Reserved."""
     temperature: float
@@ -5052,7 +5052,7 @@ class SensorRangeResponse(Response):
     _LAYOUT = (("sensor", "B", SensorRangeType), ("setting", "B", None))
 
     sensor: SensorRangeType
-    """The sensor."""
+    """Sensor whose range is set or read."""
     setting: int
     """Number of the range."""
 
@@ -5099,7 +5099,7 @@ class GetCalibratedSensorRangesResponse(Response):
     """Sensor given in the command."""
     # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
-    """The ranges.
+    """Each range that the sensor is calibrated for.
 
     - If `sensor` is `SensorRangeType.ACCEL`: `range` has unit g.
     - If `sensor` is `SensorRangeType.GYRO`: `range` has unit deg/s.
@@ -5171,7 +5171,7 @@ class LowPassFilterResponse(Response):
     manual: bool
     """True uses `frequency`; false uses half the rate of the field in the message format."""
     frequency: float
-    """Cutoff in use. Unit: Hz."""
+    """Cutoff in use. Unit: Hz. Range: at least 0."""
 
     def __init__(
         self,
@@ -10404,7 +10404,7 @@ class SensorRange(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     sensor: SensorRangeType | None
-    """The sensor."""
+    """Sensor whose range is set or read."""
     setting: int | None
     """Number of the range. Required for `write`."""
 
@@ -10604,7 +10604,7 @@ class LowPassFilter(Command[R]):
     """
     frequency: float | None
     """Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
-    Required for `write`.
+    Range: at least 0. Required for `write`.
     """
 
     def __init__(
@@ -10791,7 +10791,7 @@ class DataStreamFormat(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     stream: InternalSensor | None
-    """The stream."""
+    """Stream whose format is set or read."""
     format: StreamFormat | None
     """Its format."""
 

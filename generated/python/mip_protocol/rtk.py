@@ -353,7 +353,7 @@ class GetModemFirmwareVersionResponse(Response):
     ROLE = "response"
 
     modem_firmware_version: str
-    """Firmware version."""
+    """Firmware version of the modem, not of the dongle."""
 
     def __init__(self, modem_firmware_version: str) -> None:
         self.modem_firmware_version = modem_firmware_version
@@ -439,8 +439,9 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     Gets the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`. Probably supported by 3DM-RTK. Known only from the
-    MicroStrain MIP SDK.
+    Answered by `GetStatusFlagsResponse`. Flagged by
+    `types.Gq7ContinuousBuiltInTest.RTK_DONGLE_FAULT` of `types.Gq7ContinuousBuiltInTest`. Probably
+    supported by 3DM-RTK. Known only from the MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 

@@ -201,7 +201,20 @@ class ScaledAccel(Data):
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_ACCEL` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_GENERAL_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_OVER_RANGE` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.ACCEL_SELF_TEST_FAIL` of
+    `types.Gq7ContinuousBuiltInTest`, `OverrangeFlags.ACCEL_X` of `OverrangeFlags`,
     `OverrangeFlags.ACCEL_Y` of `OverrangeFlags` and `OverrangeFlags.ACCEL_Z` of `OverrangeFlags`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
     3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25,
@@ -209,6 +222,10 @@ class ScaledAccel(Data):
     3DM-CX5-35, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ4-45, 3DM-GV7-AHRS, 3DM-GV7-AR,
     3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
     3DM-GX5-10, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+
+    Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both
+    manuals print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is −0.998
+    g.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -264,6 +281,18 @@ class ScaledGyro(Data):
     `types.Cv7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_GYRO` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.GYRO_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
     `OverrangeFlags.GYRO_X` of `OverrangeFlags`, `OverrangeFlags.GYRO_Y` of `OverrangeFlags` and
     `OverrangeFlags.GYRO_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45. Probably
@@ -328,6 +357,18 @@ class ScaledMag(Data):
     `types.Cv7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.IMU_CALIBRATION_ERROR_MAG` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_GENERAL_FAULT` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_OVER_RANGE` of `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.MAG_SELF_TEST_FAIL` of `types.Gq7ContinuousBuiltInTest`,
     `OverrangeFlags.MAG_X` of `OverrangeFlags`, `OverrangeFlags.MAG_Y` of `OverrangeFlags` and
     `OverrangeFlags.MAG_Z` of `OverrangeFlags`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Probably supported by
@@ -944,7 +985,10 @@ class NorthVector(Data):
     _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
-    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
+    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The
+    SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes
+    lack this vector.
+    """
 
     def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
         self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
@@ -978,6 +1022,7 @@ class UpVector(Data):
     a sensor-to-vehicle transformation changes.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
+    - mip-sdk-4: Complementary filter stabilized up vector (0x80,0x11)
     """
 
     __slots__ = ("stabilized_accel",)
@@ -992,8 +1037,10 @@ class UpVector(Data):
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
-    """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-    sensor. At rest and level: x 0, y 0, z -1.
+    """The inverse of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit:
+    g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
+    vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
+    vector.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
@@ -1208,7 +1255,18 @@ class ScaledPressure(Data):
     `types.Cv7ContinuousBuiltInTest`, `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
     `types.Cv7ContinuousBuiltInTest`,
     `types.Cv7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
-    `types.Cv7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
+    `types.Cv7ContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Cv7InertialContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Cv7InertialContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_GENERAL_FAULT` of
+    `types.Gq7ContinuousBuiltInTest`, `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_OVER_RANGE` of
+    `types.Gq7ContinuousBuiltInTest`,
+    `types.Gq7ContinuousBuiltInTest.PRESSURE_SENSOR_SELF_TEST_FAIL` of
+    `types.Gq7ContinuousBuiltInTest` and `OverrangeFlags.PRESSURE` of `OverrangeFlags`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
     Probably supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CV7-INS,
     3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
@@ -1230,7 +1288,7 @@ class ScaledPressure(Data):
     _LAYOUT = (("scaled_pressure", "f", None),)
 
     scaled_pressure: float
-    """Ambient pressure. Unit: mbar."""
+    """Ambient pressure. Unit: mbar. Range: at least 0."""
 
     def __init__(self, scaled_pressure: float) -> None:
         self.scaled_pressure = scaled_pressure

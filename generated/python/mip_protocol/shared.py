@@ -273,7 +273,7 @@ class DeltaTime(Shared, Data):
     _LAYOUT = (("seconds", "d", None),)
 
     seconds: float
-    """Time since the last output. Unit: s."""
+    """Time since the last output. Unit: s. Range: at least 0."""
 
     def __init__(self, seconds: float) -> None:
         self.seconds = seconds

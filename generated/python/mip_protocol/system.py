@@ -75,7 +75,7 @@ class InterfaceControlResponse(Response):
     )
 
     port: types.CommInterface
-    """The port. Uncertain: Whether write and read accept `all`."""
+    """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols
     """Protocols that it receives."""
     protocols_outgoing: CommProtocols
@@ -193,7 +193,7 @@ class InterfaceControl(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     port: types.CommInterface | None
-    """The port. Uncertain: Whether write and read accept `all`."""
+    """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols | None
     """Protocols that it receives. Required for `write`."""
     protocols_outgoing: CommProtocols | None

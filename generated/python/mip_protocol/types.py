@@ -111,9 +111,9 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
     """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
-    """No data from internal receiver 1 in time. Bit 25."""
+    """No data from internal receiver 1 in time. Bit 25. Concerns `gnss_data.FixInfo`."""
     GNSS_RECEIVER_2_STALL = 1 << 26
-    """No data from internal receiver 2 in time. Bit 26."""
+    """No data from internal receiver 2 in time. Bit 26. Concerns `gnss_data.FixInfo`."""
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
@@ -158,13 +158,17 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FILTER_TIMING_UNDERRUN = 1 << 67
     """Filter processes are skipped. Bit 67."""
     RECEIVER_1_FAULT = 1 << 105
-    """No communication with internal receiver 1. Bit 105."""
+    """No communication with internal receiver 1. Bit 105. Concerns `gnss_data.FixInfo`."""
     RECEIVER_1_NO_SOLUTION = 1 << 108
-    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108."""
+    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108. Concerns
+    `gnss_data.FixInfo`.
+    """
     RECEIVER_2_FAULT = 1 << 110
-    """No communication with internal receiver 2. Bit 110."""
+    """No communication with internal receiver 2. Bit 110. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_NO_SOLUTION = 1 << 113
-    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113."""
+    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113. Concerns
+    `gnss_data.FixInfo`.
+    """
 
 
 @codec.open_flag(128)
@@ -209,35 +213,38 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36."""
+    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37."""
+    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38."""
+    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40."""
+    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41."""
+    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44."""
+    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45."""
+    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
     MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48."""
+    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49."""
+    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52."""
+    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53."""
+    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
+    `sensor.ScaledPressure`.
+    """
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
     FACTORY_BITS_INVALID = 1 << 56
     """Factory settings are invalid. Bit 56."""
     FILTER_FAULT = 1 << 64
@@ -280,35 +287,38 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """An inertial sensor cycle exceeded its time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Accelerometer calibration error. Bit 36."""
+    """Accelerometer calibration error. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Gyroscope calibration error. Bit 37."""
+    """Gyroscope calibration error. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Magnetometer calibration error. Bit 38."""
+    """Magnetometer calibration error. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """Accelerometer fault. Bit 40."""
+    """Accelerometer fault. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
-    """The accelerometer measures near or beyond its range. Bit 41."""
+    """The accelerometer measures near or beyond its range. Bit 41. Concerns `sensor.ScaledAccel`.
+    """
     ACCEL_SELF_TEST_FAIL = 1 << 42
-    """The accelerometer self-test failed. Bit 42."""
+    """The accelerometer self-test failed. Bit 42. Concerns `sensor.ScaledAccel`."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """Gyroscope fault. Bit 44."""
+    """Gyroscope fault. Bit 44. Concerns `sensor.ScaledGyro`."""
     GYRO_OVER_RANGE = 1 << 45
-    """The gyroscope measures near or beyond its range. Bit 45."""
+    """The gyroscope measures near or beyond its range. Bit 45. Concerns `sensor.ScaledGyro`."""
     GYRO_SELF_TEST_FAIL = 1 << 46
-    """The gyroscope self-test failed. Bit 46."""
+    """The gyroscope self-test failed. Bit 46. Concerns `sensor.ScaledGyro`."""
     MAG_GENERAL_FAULT = 1 << 48
-    """Magnetometer fault. Bit 48."""
+    """Magnetometer fault. Bit 48. Concerns `sensor.ScaledMag`."""
     MAG_OVER_RANGE = 1 << 49
-    """The magnetometer measures near or beyond its range. Bit 49."""
+    """The magnetometer measures near or beyond its range. Bit 49. Concerns `sensor.ScaledMag`."""
     MAG_SELF_TEST_FAIL = 1 << 50
-    """The magnetometer self-test failed. Bit 50."""
+    """The magnetometer self-test failed. Bit 50. Concerns `sensor.ScaledMag`."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """Pressure sensor fault. Bit 52."""
+    """Pressure sensor fault. Bit 52. Concerns `sensor.ScaledPressure`."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure sensor measures near or beyond its range. Bit 53."""
+    """The pressure sensor measures near or beyond its range. Bit 53. Concerns
+    `sensor.ScaledPressure`.
+    """
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The pressure sensor self-test failed. Bit 54."""
+    """The pressure sensor self-test failed. Bit 54. Concerns `sensor.ScaledPressure`."""
     FILTER_CLOCK_FAULT = 1 << 64
     """The filter clock failed. Bit 64."""
     FILTER_HARDWARE_FAULT = 1 << 65
@@ -326,33 +336,33 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     GNSS_COMM_ERROR = 0x1C000000000000000000000000
     """GNSS processor communication errors. Bits 98 to 100."""
     GPS_TIME_FAULT = 1 << 101
-    """GPS time fault. Bit 101."""
+    """GPS time fault. Bit 101. Concerns `gnss_data.GpsTime`."""
     GNSS_TIMING_OVERRUN = 1 << 102
     """A GNSS processor cycle exceeded its time slot. Bit 102."""
     RECEIVER_1_POWER_FAULT = 1 << 104
-    """Receiver 1 power supply fault. Bit 104."""
+    """Receiver 1 power supply fault. Bit 104. Concerns `gnss_data.FixInfo`."""
     RECEIVER_1_FAULT = 1 << 105
-    """Receiver 1 fault. Bit 105."""
+    """Receiver 1 fault. Bit 105. Concerns `gnss_data.FixInfo`."""
     ANTENNA_1_SHORTED = 1 << 106
-    """Antenna 1 is shorted. Bit 106."""
+    """Antenna 1 is shorted. Bit 106. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_1_OPEN = 1 << 107
-    """Antenna 1 is not connected. Bit 107."""
+    """Antenna 1 is not connected. Bit 107. Concerns `gnss_data.HardwareStatus`."""
     RECEIVER_1_SOLUTION_FAULT = 1 << 108
-    """Receiver 1 has no solution. Bit 108."""
+    """Receiver 1 has no solution. Bit 108. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_POWER_FAULT = 1 << 109
-    """Receiver 2 power supply fault. Bit 109."""
+    """Receiver 2 power supply fault. Bit 109. Concerns `gnss_data.FixInfo`."""
     RECEIVER_2_FAULT = 1 << 110
-    """Receiver 2 fault. Bit 110."""
+    """Receiver 2 fault. Bit 110. Concerns `gnss_data.FixInfo`."""
     ANTENNA_2_SHORTED = 1 << 111
-    """Antenna 2 is shorted. Bit 111."""
+    """Antenna 2 is shorted. Bit 111. Concerns `gnss_data.HardwareStatus`."""
     ANTENNA_2_OPEN = 1 << 112
-    """Antenna 2 is not connected. Bit 112."""
+    """Antenna 2 is not connected. Bit 112. Concerns `gnss_data.HardwareStatus`."""
     RECEIVER_2_SOLUTION_FAULT = 1 << 113
-    """Receiver 2 has no solution. Bit 113."""
+    """Receiver 2 has no solution. Bit 113. Concerns `gnss_data.FixInfo`."""
     RTCM_COMM_FAULT = 1 << 114
-    """RTCM communication fault. Bit 114."""
+    """RTCM communication fault. Bit 114. Concerns `gnss_data.RtkCorrectionsStatus`."""
     RTK_DONGLE_FAULT = 1 << 115
-    """RTK modem fault. Bit 115."""
+    """RTK modem fault. Bit 115. Concerns `rtk.GetStatusFlags`."""
 
     @property
     def imu_ipc_fault(self) -> int:

@@ -148,10 +148,12 @@ bitfield! {
         /// The main GNSS process did not run in time. Bit 24.
         GNSS_MAIN_PROCESS_FAULT: bool = 24,
             gnss_main_process_fault, set_gnss_main_process_fault, with_gnss_main_process_fault;
-        /// No data from internal receiver 1 in time. Bit 25.
+        /// No data from internal receiver 1 in time. Bit 25. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_1_STALL: bool = 25,
             gnss_receiver_1_stall, set_gnss_receiver_1_stall, with_gnss_receiver_1_stall;
-        /// No data from internal receiver 2 in time. Bit 26.
+        /// No data from internal receiver 2 in time. Bit 26. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         GNSS_RECEIVER_2_STALL: bool = 26,
             gnss_receiver_2_stall, set_gnss_receiver_2_stall, with_gnss_receiver_2_stall;
         /// No communication with the inertial sensors. Bit 33.
@@ -229,16 +231,20 @@ bitfield! {
         /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
             filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
-        /// No communication with internal receiver 1. Bit 105.
+        /// No communication with internal receiver 1. Bit 105. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
         /// Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108.
+        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_NO_SOLUTION: bool = 108,
             receiver_1_no_solution, set_receiver_1_no_solution, with_receiver_1_no_solution;
-        /// No communication with internal receiver 2. Bit 110.
+        /// No communication with internal receiver 2. Bit 110. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
         /// Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113.
+        /// Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_NO_SOLUTION: bool = 113,
             receiver_2_no_solution, set_receiver_2_no_solution, with_receiver_2_no_solution;
     }
@@ -298,49 +304,62 @@ bitfield! {
         /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36.
+        /// Accelerometer calibration error. Bit 36. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37.
+        /// Gyroscope calibration error. Bit 37. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38.
+        /// Magnetometer calibration error. Bit 38. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40.
+        /// Accelerometer fault. Bit 40. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41.
+        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44.
+        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45.
+        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48.
+        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49.
+        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52.
+        /// Pressure sensor fault. Bit 52. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53.
+        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// Factory settings are invalid. Bit 56.
@@ -397,49 +416,62 @@ bitfield! {
         /// An inertial sensor cycle exceeded its time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Accelerometer calibration error. Bit 36.
+        /// Accelerometer calibration error. Bit 36. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Gyroscope calibration error. Bit 37.
+        /// Gyroscope calibration error. Bit 37. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Magnetometer calibration error. Bit 38.
+        /// Magnetometer calibration error. Bit 38. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// Accelerometer fault. Bit 40.
+        /// Accelerometer fault. Bit 40. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
-        /// The accelerometer measures near or beyond its range. Bit 41.
+        /// The accelerometer measures near or beyond its range. Bit 41. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_OVER_RANGE: bool = 41,
             accel_over_range, set_accel_over_range, with_accel_over_range;
-        /// The accelerometer self-test failed. Bit 42.
+        /// The accelerometer self-test failed. Bit 42. Concerns
+        /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// Gyroscope fault. Bit 44.
+        /// Gyroscope fault. Bit 44. Concerns [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
-        /// The gyroscope measures near or beyond its range. Bit 45.
+        /// The gyroscope measures near or beyond its range. Bit 45. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_OVER_RANGE: bool = 45,
             gyro_over_range, set_gyro_over_range, with_gyro_over_range;
-        /// The gyroscope self-test failed. Bit 46.
+        /// The gyroscope self-test failed. Bit 46. Concerns
+        /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// Magnetometer fault. Bit 48.
+        /// Magnetometer fault. Bit 48. Concerns [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
-        /// The magnetometer measures near or beyond its range. Bit 49.
+        /// The magnetometer measures near or beyond its range. Bit 49. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_OVER_RANGE: bool = 49,
             mag_over_range, set_mag_over_range, with_mag_over_range;
-        /// The magnetometer self-test failed. Bit 50.
+        /// The magnetometer self-test failed. Bit 50. Concerns
+        /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// Pressure sensor fault. Bit 52.
+        /// Pressure sensor fault. Bit 52. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure sensor measures near or beyond its range. Bit 53.
+        /// The pressure sensor measures near or beyond its range. Bit 53. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
             pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The pressure sensor self-test failed. Bit 54.
+        /// The pressure sensor self-test failed. Bit 54. Concerns
+        /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure).
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
             pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
         /// The filter clock failed. Bit 64.
@@ -466,46 +498,55 @@ bitfield! {
         /// GNSS processor communication errors. Bits 98 to 100.
         GNSS_COMM_ERROR: u8 = 98..=100,
             gnss_comm_error, set_gnss_comm_error, with_gnss_comm_error;
-        /// GPS time fault. Bit 101.
+        /// GPS time fault. Bit 101. Concerns [`gnss_data::GpsTime`](crate::gnss_data::GpsTime).
         GPS_TIME_FAULT: bool = 101,
             gps_time_fault, set_gps_time_fault, with_gps_time_fault;
         /// A GNSS processor cycle exceeded its time slot. Bit 102.
         GNSS_TIMING_OVERRUN: bool = 102,
             gnss_timing_overrun, set_gnss_timing_overrun, with_gnss_timing_overrun;
-        /// Receiver 1 power supply fault. Bit 104.
+        /// Receiver 1 power supply fault. Bit 104. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_POWER_FAULT: bool = 104,
             receiver_1_power_fault, set_receiver_1_power_fault, with_receiver_1_power_fault;
-        /// Receiver 1 fault. Bit 105.
+        /// Receiver 1 fault. Bit 105. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Antenna 1 is shorted. Bit 106.
+        /// Antenna 1 is shorted. Bit 106. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_SHORTED: bool = 106,
             antenna_1_shorted, set_antenna_1_shorted, with_antenna_1_shorted;
-        /// Antenna 1 is not connected. Bit 107.
+        /// Antenna 1 is not connected. Bit 107. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_1_OPEN: bool = 107,
             antenna_1_open, set_antenna_1_open, with_antenna_1_open;
-        /// Receiver 1 has no solution. Bit 108.
+        /// Receiver 1 has no solution. Bit 108. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_1_SOLUTION_FAULT: bool = 108,
             receiver_1_solution_fault, set_receiver_1_solution_fault, with_receiver_1_solution_fault;
-        /// Receiver 2 power supply fault. Bit 109.
+        /// Receiver 2 power supply fault. Bit 109. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_POWER_FAULT: bool = 109,
             receiver_2_power_fault, set_receiver_2_power_fault, with_receiver_2_power_fault;
-        /// Receiver 2 fault. Bit 110.
+        /// Receiver 2 fault. Bit 110. Concerns [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Antenna 2 is shorted. Bit 111.
+        /// Antenna 2 is shorted. Bit 111. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_SHORTED: bool = 111,
             antenna_2_shorted, set_antenna_2_shorted, with_antenna_2_shorted;
-        /// Antenna 2 is not connected. Bit 112.
+        /// Antenna 2 is not connected. Bit 112. Concerns
+        /// [`gnss_data::HardwareStatus`](crate::gnss_data::HardwareStatus).
         ANTENNA_2_OPEN: bool = 112,
             antenna_2_open, set_antenna_2_open, with_antenna_2_open;
-        /// Receiver 2 has no solution. Bit 113.
+        /// Receiver 2 has no solution. Bit 113. Concerns
+        /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo).
         RECEIVER_2_SOLUTION_FAULT: bool = 113,
             receiver_2_solution_fault, set_receiver_2_solution_fault, with_receiver_2_solution_fault;
-        /// RTCM communication fault. Bit 114.
+        /// RTCM communication fault. Bit 114. Concerns
+        /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus).
         RTCM_COMM_FAULT: bool = 114,
             rtcm_comm_fault, set_rtcm_comm_fault, with_rtcm_comm_fault;
-        /// RTK modem fault. Bit 115.
+        /// RTK modem fault. Bit 115. Concerns [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags).
         RTK_DONGLE_FAULT: bool = 115,
             rtk_dongle_fault, set_rtk_dongle_fault, with_rtk_dongle_fault;
     }

@@ -20,8 +20,8 @@ Rows = list[list[str]]
 
 #: Symbol of the specification for each unit that manuals print.
 UNITS = {
-    "m": ["m", "meters", "meter", "meters, ECEF"],
-    "m/s": ["m/s", "meters/second", "meters/sec", "m/sec", "meters per second", "meters/second, ECEF"],
+    "m": ["m", "meters", "meter"],
+    "m/s": ["m/s", "meters/second", "meters/sec", "m/sec", "meters per second"],
     "m/s^2": ["m/s^2", "m/s²", "meters/second^2", "meters/second²", "meters/second ²", "meters/sec²", "m/sec^2"],
     "rad": ["rad", "radians", "radian"],
     "rad/s": ["rad/s", "radians/second", "radians/sec", "rad/second", "rad/sec"],
@@ -43,6 +43,10 @@ UNITS = {
     "s/s^2": ["s/s^2"],
     "cycle": ["Carrier periods"],
     "pulse/m": ["pulses/meter", "pulses/m"],
+    "1/s": ["1/second"],
+    "MHz": ["MHz"],
+    "kg/m^3": ["kilogram/meter^3"],
+    "V": ["volts", "scaled volts"],
     "1": ["dimensionless", "m/m"],
 }  # fmt: skip
 _SYMBOLS = {token.casefold() if len(token) > 1 else token: s for s, tokens in UNITS.items() for token in tokens}
@@ -86,28 +90,38 @@ def extract(manual: str, path: Path) -> dict[str, Any]:
     """The facts of a manual, in the form of a file of `spec/witness`."""
     lines = path.read_text("utf-8", errors="replace").splitlines()
     found = [layout for section in _sections(lines) for layout in _layouts(*section)]
-    printed = {p.get("unit") for layout in found for p in layout["parameters"]}
-    units = {symbol: [t for t in tokens if t in printed] for symbol, tokens in UNITS.items()}
     return {
         "source": {"manual": manual},
         "partial": True,
-        "units": {symbol: tokens for symbol, tokens in units.items() if tokens},
+        "units": symbols({p.get("unit") for layout in found for p in layout["parameters"]}),
         "layouts": list({repr(layout): layout for layout in found}.values()),
     }
 
 
-def dump(facts: dict[str, Any]) -> str:
+def symbols(units: set[str | None]) -> dict[str, list[str]]:
+    """The symbols of units as a source prints them."""
+    found = {symbol: [token for token in tokens if token in units] for symbol, tokens in UNITS.items()}
+    return {symbol: tokens for symbol, tokens in found.items() if tokens}
+
+
+def dump(facts: dict[str, Any], command: str) -> str:
     """The facts as YAML, one parameter on a line."""
     text = "# yaml-language-server: $schema=../schema/witness.schema.json\n"
-    text += "# Facts that a program extracted from the tables of a manual: mipgen audit --manual ID=FILE --extract.\n"
-    for key in ("source", "partial", "units"):
-        text += f"{key}: {_flow(facts[key])}\n"
-    text += "layouts:\n"
-    for layout in facts["layouts"]:
-        head = {key: value for key, value in layout.items() if key != "parameters"}
-        rows = "".join(f",\n  {_flow(p)}" for p in layout["parameters"]).removeprefix(",")
-        text += f"- {_flow(head)[:-1]}, parameters: [{rows}]}}\n"
+    text += f"# Facts that a program extracted: {command}.\n"
+    for key, value in facts.items():
+        if key == "layouts":
+            text += "layouts:\n" + "".join(f"- {_record(layout)}\n" for layout in value)
+        elif key in ("structs", "enums", "bitfields", "constants", "named"):
+            text += f"{key}:\n" + "".join(f"  {_flow(name)}: {_flow(entry)}\n" for name, entry in value.items())
+        else:
+            text += f"{key}: {_flow(value)}\n"
     return text
+
+
+def _record(layout: Layout) -> str:
+    head = {key: value for key, value in layout.items() if key != "parameters"}
+    rows = "".join(f",\n  {_flow(p)}" for p in layout["parameters"]).removeprefix(",")
+    return f"{_flow(head)[:-1]}, parameters: [{rows}]}}"
 
 
 def _flow(value: Any) -> str:
@@ -171,7 +185,7 @@ def _layouts(title: str, number: int, descriptor: int, rows: Rows) -> Iterator[L
         yield from _of_text(title, number, descriptor, rows)
 
 
-def _frames(text: str) -> list[str]:
+def frames(text: str) -> list[str]:
     return [frame for frame, words in FRAMES.items() if re.search(words, text, re.IGNORECASE)]
 
 
@@ -197,9 +211,9 @@ def _of_rows(title: str, number: int, descriptor: int, rows: Rows) -> Iterator[L
             whole = True
             key = f"0x{number:02X},0x{descriptor:02X}"
             layout = {"key": key, "role": role, "name": title, "parameters": []}
-            frames = _frames(f"{title} {about}")
-            if frames:
-                layout["frames"] = frames
+            named = frames(f"{title} {about}")
+            if named:
+                layout["frames"] = named
         elif layout is None:
             continue
         elif name == "Response Descriptor":
@@ -222,7 +236,7 @@ def _of_rows(title: str, number: int, descriptor: int, rows: Rows) -> Iterator[L
 def _with_defaults(layout: Layout, about: str) -> Layout:
     """Defaults are those of a setting, which a command writes."""
     if layout["role"] == "command":
-        _defaults(layout["parameters"], about)
+        defaults(layout["parameters"], about)
     return layout
 
 
@@ -233,12 +247,12 @@ _SWITCHED = {
 }
 
 
-def _defaults(parameters: list[dict[str, Any]], about: str) -> None:
+def defaults(parameters: list[dict[str, Any]], about: str) -> None:
     """Adds factory defaults that a description states for switches, for values of an enumeration, for times."""
     for p in parameters:
         name = p.get("name") or p["label"]
         switch = next((n for n, words in _SWITCHED.items() if re.search(words, about, re.IGNORECASE)), None)
-        listed = re.search(r"0x0?([0-9A-F]) ?[-–] ?Enabled? \(default\)", about)
+        listed = re.search(r"0x0?([0-9A-F]) ?[-–] ?Enabled?\b[^0(]*\(default\)", about)
         number = re.search(rf"default ?= ?({_NUMBER}) (\w+)", about)
         if name in ("enable", "mode") and switch is not None:
             p["default"] = switch
@@ -286,22 +300,23 @@ def _parameter(name: str, kind: str, text: str, about: str) -> dict[str, Any] | 
     words = words.replace("Bit(s)", " ")
     if meaning is None and re.search(r"0 ?- ?invalid,? ?1 ?-? ?valid", words, re.IGNORECASE):
         p["values"] = {"invalid": 0, "valid": 1}
-    return p | _meaning(words, element, about if "noise" in label else "")
+    found = described(words, element, about if "noise" in label else "")
+    return p | {key: fact for key, fact in found.items() if key != "unit" or meaning is None}
 
 
 def _label(text: str) -> str:
     return re.sub(r"\W+", "_", text.strip())
 
 
-def _meaning(text: str, element: str, about: str) -> dict[str, Any]:
+def described(text: str, element: str, about: str) -> dict[str, Any]:
     """Unit, frames, range and default, as far as a text states them."""
     found: dict[str, Any] = {}
-    unit = next((u for u in map(_unit, re.findall(r"(?:\[|(?<!\w)\()([^\[\]()]+)[\])]", text)) if u), None)
+    unit = next((u for u in map(_unit, _units(text)) if u), None)
     if unit:
         found["unit"] = unit
-    frames = _frames(text)
-    if frames:
-        found["frames"] = frames
+    named = frames(text)
+    if named:
+        found["frames"] = named
     limits = re.search(rf"[(:]\s*({_NUMBER})\s*(?:-|–|to)\s*({_NUMBER})\s*\)?", text)
     limits = limits or re.search(rf"({_NUMBER}) to ({_NUMBER})\.", text)
     if limits and float(limits[1]) < float(limits[2]):
@@ -318,6 +333,16 @@ def _meaning(text: str, element: str, about: str) -> dict[str, Any]:
     if "annot be 0 unless" in text or (floats and re.search(r"oise.{0,40} must be greater than 0", about)):
         found["above"] = 0
     return found
+
+
+def _units(text: str) -> Iterator[str]:
+    """What may be a unit: in brackets, before a frame in brackets, the whole text, or words such as "in Hz"."""
+    for inside in re.findall(r"(?:\[|(?<!\w)\()([^\[\]()]+)[\])]", text):
+        yield inside
+        yield inside.partition(",")[0]
+    yield text
+    yield from re.findall(r"\bin ((?:scaled )?\w+)\b", text)
+    yield from re.findall(r"^(\w+?)(?: since\b| ?\()", text)
 
 
 def _unit(text: str) -> str | None:
@@ -372,11 +397,11 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
         }
         if selector:
             layout["functions"] = "".join(x for x, n in _SELECTORS if f"0x0{n} -" in about or f"0x0{n} –" in about)
-        frames = _frames(f"{title} {about}")
-        if frames:
-            layout["frames"] = frames
+        named = frames(f"{title} {about}")
+        if named:
+            layout["frames"] = named
         if len(parameters) == 1 and not answer:
-            parameters[0] |= {k: v for k, v in _meaning(about, parameters[0]["type"], "").items() if k == "range"}
+            parameters[0] |= {k: v for k, v in described(about, parameters[0]["type"], "").items() if k == "range"}
         modes = [row for row in rows if "default" in " ".join(row[1:]) and re.fullmatch(f"0x{_HEX}", row[0])]
         if len(parameters) == 1 and not answer and len(modes) == 1:
             parameters[0]["default"] = int(modes[0][0], 16)
@@ -385,7 +410,7 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
 
 def _item(kind: str, words: str, about: str) -> dict[str, Any]:
     name = _label(re.sub(r"\(.*|[:,.].*", "", words).strip()).strip("_").lower()
-    return {"label": name or "value", "type": kind} | _meaning(words, kind, about)
+    return {"label": name or "value", "type": kind} | described(words, kind, about)
 
 
 def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -> Iterator[Layout]:
@@ -402,9 +427,9 @@ def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -
                 if int(offset) == 0:
                     role = "response" if number < 0x80 else "data"
                     layout = {"key": f"0x{number:02X},0x{descriptor:02X}", "role": role, "name": title}
-                    frames = _frames(f"{title} {about}")
-                    if frames:
-                        layout["frames"] = frames
+                    named = frames(f"{title} {about}")
+                    if named:
+                        layout["frames"] = named
                     layout["parameters"] = []
                     found.append(layout)
                     size = 0

@@ -20,6 +20,7 @@ from mipgen.read import loader
 from mipgen.read.position import Position
 from mipgen.read.problems import Problems
 
+from . import rules
 from .leaves import Leaf, Reader, of_field
 
 #: Frames of the vectors of layouts with such names; uncertainties of latitude, longitude and height are in metres.
@@ -60,25 +61,36 @@ class Report:
         return f"witnesses: {facts}; {rest}"
 
 
-def audit(model: m.Model, folder: Path, revision: Path | None = None) -> Report:
-    """Compares with all files of a folder; or with another revision of the SDK alone, which may agree where a
-    difference is accepted. Raises SpecError where one cannot be read."""
+def read(path: Path) -> dict[str, Any]:
+    """The facts of one file. Raises SpecError where it cannot be read."""
+    problems = Problems()
+    document = loader.load_witness(path, problems)
+    problems.raise_if_any()
+    assert document is not None
+    facts: dict[str, Any] = document.root.plain()
+    return facts
+
+
+def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None) -> Report:
+    """Compares with all files of a folder; or with the facts of another revision of the SDK alone, which may agree
+    where a difference is accepted. Raises SpecError where a file cannot be read."""
     problems = Problems()
     documents = loader.load_witnesses(folder, problems)
-    other = None if revision is None else loader.load_witness(revision, problems)
     problems.raise_if_any()
     witnesses = {Path(d.path).stem: d.root.plain() for d in documents if d.kind == "witness"}
-    if other is not None:
-        witnesses = {"sdk": other.root.plain()}
+    if revision is not None:
+        witnesses = {"sdk": revision}
     accepted = [d.root for d in documents if d.kind == "accepted"]
     judged = [(entry, entry.plain()) for root in accepted for entry in root.get("differences") or ()]
     compared = _Compared(model, witnesses, [root.plain() for root in accepted])
     compared.run()
+    if revision is None:
+        compared.rules([rule for d in documents if d.kind == "rules" for rule in d.root.plain()["rules"]])
     found = {(d.witness, d.at, d.text): d for d in compared.found}
     allowed = {(e["witness"], e["at"], t): node.position for node, e in judged for t in e["texts"]}
     stale = (
         []
-        if other is not None
+        if revision is not None
         else [
             f"{place.file}:{place.line}: {at}: there is no difference '{text}' ({witness}); remove it"
             for (witness, at, text), place in allowed.items()
@@ -120,6 +132,12 @@ class _Compared:
     def known(self, number: int, descriptor: int) -> bool:
         named = (n.descriptor for f in self.model.families for s in f.sets if s.number == number for n in f.named)
         return bool(self.model.candidates(number, descriptor)) or descriptor in named
+
+    def rules(self, given: list[dict[str, Any]]) -> None:
+        for kind, finding in rules.compare(self.model, given):
+            self.counts[f"{kind} by rule".replace("if_", "").replace("_of", "")] += 1
+            if finding:
+                self.found.append(Difference("rules", finding.at, finding.text, finding.position))
 
     # ------------------------------------------------------------------ layouts
 

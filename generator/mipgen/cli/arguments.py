@@ -162,7 +162,7 @@ def parser() -> argparse.ArgumentParser:
         "--sdk",
         type=folder,
         metavar="FOLDER",
-        help="facts about the vendor's SDK and devices: witness.yaml, models.yaml, devices.yaml",
+        help="working copy of the vendor's SDK, or facts of it and of devices: witness, models, devices.yaml",
     )
     audit.add_argument(
         "--witness", type=folder, metavar="FOLDER", help="compare with facts extracted from other sources: spec/witness"
@@ -170,7 +170,7 @@ def parser() -> argparse.ArgumentParser:
     audit.add_argument(
         "--extract",
         action="store_true",
-        help="extract the facts of the tables of each --manual and write them to witness/ID.yaml of the specification",
+        help="write the facts of each --manual and of --sdk to witness/ID.yaml of the specification, and sdk.yaml",
     )
 
     targets = command("targets", "targets", "list the targets")

@@ -306,7 +306,7 @@ class Unreadable(Failure):
 
 
 def audit(options: Namespace) -> int:
-    from mipgen.audit import devices, manuals, witnesses
+    from mipgen.audit import devices, manuals, sdk, tables, witnesses
     from mipgen.read.problems import nearest
 
     if not options.manual and options.sdk is None and options.witness is None:
@@ -321,7 +321,7 @@ def audit(options: Namespace) -> int:
         if not Path(file).is_file():
             raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
         if options.extract:
-            _extract(_specs(options)[0], manual, Path(file))
+            _extract(options, manual, tables.extract(manual, Path(file)), f"--manual {manual}=FILE")
         else:
             findings += manuals.audit(model, manual, Path(file))
     if options.sdk is not None:
@@ -329,7 +329,15 @@ def audit(options: Namespace) -> int:
             raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
         findings += devices.audit(model, options.sdk)
     lines = [str(finding) for finding in findings]
-    if options.sdk is not None and (revision := options.sdk / devices.WITNESS).is_file():
+    revision = None
+    if options.sdk is not None and sdk.is_working_copy(options.sdk):
+        revision = sdk.extract(options.sdk)
+        if options.extract:
+            _extract(options, "sdk", revision, "--sdk FOLDER")
+            revision = None
+    elif options.sdk is not None and (options.sdk / devices.WITNESS).is_file():
+        revision = witnesses.read(options.sdk / devices.WITNESS)
+    if revision is not None:
         lines += witnesses.audit(model, options.witness or _specs(options)[0] / "witness", revision).lines()
     elif options.witness is not None:
         if not options.witness.is_dir():
@@ -344,15 +352,14 @@ def audit(options: Namespace) -> int:
     return 1 if lines else 0
 
 
-def _extract(spec: Path, manual: str, file: Path) -> None:
-    """Writes what the tables of a manual state as a witness of the specification."""
+def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:
+    """Writes facts that a program extracted as a witness of the specification."""
     from mipgen.audit import tables
 
-    made = spec / "witness" / f"{manual}.yaml"
-    facts = tables.extract(manual, file)
+    made = _specs(options)[0] / "witness" / f"{name}.yaml"
     try:
         made.parent.mkdir(exist_ok=True)
-        made.write_text(tables.dump(facts), "utf-8", newline="\n")
+        made.write_text(tables.dump(facts, f"mipgen audit {arguments} --extract"), "utf-8", newline="\n")
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}", str(made)) from None
     print(f"{made}: {_count(len(facts['layouts']), 'layout')}")

@@ -39,8 +39,8 @@ LAYOUT = {
 #: Facts from other sources, which are compared with a specification and are no part of it.
 WITNESSES = {"witness": "witness/*.yaml"}
 
-#: Of the files beside them: the differences that were judged.
-ACCEPTED = "accepted"
+#: Of the files beside them, by what they contain: the differences that were judged, and rules of kinds of quantities.
+BESIDE = {"rules": "rules", "differences": "accepted"}
 
 #: A file with several devices or families, and under which keys it has them.
 DEVICES = "devices"
@@ -125,7 +125,7 @@ def _schema(kind: str, root: Node, over: bool) -> str:
     if (over or extension in overlay.WITHIN) and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
     if kind == "witness" and "layouts" not in root:
-        return ACCEPTED
+        return next((of for key, of in BESIDE.items() if key in root), BESIDE["differences"])
     return DEVICES if kind == "device" and any(many in root for many in PARTS.values()) else kind
 
 

@@ -86,7 +86,7 @@ typedef uint16_t mip_3dm_constellation_options;
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
 struct mip_3dm_constellation_settings_entry {
-    /** Constellation. A value of enum mip_3dm_constellation_id. */
+    /** Constellation that this entry configures. A value of enum mip_3dm_constellation_id. */
     uint8_t constellation_id;
     /** 1 switches it on, 0 off. Range: 0 to 1. */
     uint8_t enable;
@@ -94,7 +94,7 @@ struct mip_3dm_constellation_settings_entry {
     uint8_t reserved_channels;
     /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
     uint8_t max_channels;
-    /** Options. */
+    /** Options of this constellation. */
     mip_3dm_constellation_options option_flags;
 };
 
@@ -7253,7 +7253,7 @@ struct mip_3dm_sensor_range {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** The sensor. A value of enum mip_3dm_sensor_range_type. */
+    /** Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
     /** Number of the range. Required for write. */
     uint8_t setting;
@@ -7283,7 +7283,7 @@ mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  * - setting: Number of the range. Required for write.
  */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
@@ -7297,7 +7297,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
@@ -7309,7 +7309,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
@@ -7321,7 +7321,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
@@ -7333,7 +7333,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
@@ -7351,7 +7351,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range_response {
-    /** The sensor. A value of enum mip_3dm_sensor_range_type. */
+    /** Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
     /** Number of the range. */
     uint8_t setting;
@@ -7498,9 +7498,9 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
     /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
     /**
-     * The ranges. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_ACCEL: range has unit g. If sensor is
-     * MIP_3DM_SENSOR_RANGE_TYPE_GYRO: range has unit deg/s. If sensor is
-     * MIP_3DM_SENSOR_RANGE_TYPE_MAG: range has unit gauss. If sensor is
+     * Each range that the sensor is calibrated for. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_ACCEL:
+     * range has unit g. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_GYRO: range has unit deg/s. If
+     * sensor is MIP_3DM_SENSOR_RANGE_TYPE_MAG: range has unit gauss. If sensor is
      * MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE: range has unit mbar.
      */
     struct mip_3dm_sensor_range_entry ranges[50];
@@ -7569,7 +7569,7 @@ struct mip_3dm_low_pass_filter {
     mip_bool manual;
     /**
      * Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
-     * Required for write.
+     * Range: at least 0. Required for write.
      */
     float frequency;
 };
@@ -7604,7 +7604,7 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
  * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
  *   Required for write.
  * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
- *   Unit: Hz. Required for write.
+ *   Unit: Hz. Range: at least 0. Required for write.
  */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
@@ -7692,7 +7692,7 @@ struct mip_3dm_low_pass_filter_response {
     mip_bool enable;
     /** True uses `frequency`; false uses half the rate of the field in the message format. */
     mip_bool manual;
-    /** Cutoff in use. Unit: Hz. */
+    /** Cutoff in use. Unit: Hz. Range: at least 0. */
     float frequency;
 };
 
@@ -7778,7 +7778,7 @@ struct mip_3dm_data_stream_format {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** The stream. A value of enum mip_3dm_internal_sensor. */
+    /** Stream whose format is set or read. A value of enum mip_3dm_internal_sensor. */
     uint8_t stream;
     /** Its format. A value of enum mip_3dm_stream_format. */
     uint8_t format;
@@ -7808,7 +7808,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
@@ -7823,7 +7823,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_writ
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read(
@@ -7838,7 +7838,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save(
@@ -7853,7 +7853,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load(
@@ -7868,7 +7868,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_default(
@@ -7891,7 +7891,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_defa
  * - mscl: Data stream format (0x0C,0x60)
  */
 struct mip_3dm_data_stream_format_response {
-    /** The stream. A value of enum mip_3dm_internal_sensor. */
+    /** Stream whose format is set or read. A value of enum mip_3dm_internal_sensor. */
     uint8_t stream;
     /** Its format. A value of enum mip_3dm_stream_format. */
     uint8_t format;
@@ -8952,7 +8952,7 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint8_t power_state;
     /** Range of the gyroscope. */
     uint16_t gyro_range;
-    /** Range of the accelerometer. */
+    /** Largest acceleration that can be measured. */
     uint16_t accel_range;
     /** Reserved. */
     uint32_t reserved;

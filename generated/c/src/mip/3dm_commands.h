@@ -3491,7 +3491,7 @@ static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
 /**
  * Sensor Range: write. Apply the new setting. See mip_device_call.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  * - setting: Number of the range. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_range_write(
@@ -3506,7 +3506,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
 /**
  * Sensor Range: read. Return the current setting in a response. See mip_device_call.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
@@ -3521,7 +3521,7 @@ mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_ra
 /**
  * Sensor Range: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
@@ -3534,7 +3534,7 @@ mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_ra
 /**
  * Sensor Range: load. Load the saved setting. See mip_device_call.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
@@ -3547,7 +3547,7 @@ mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_ra
 /**
  * Sensor Range: default. Load the factory default setting. See mip_device_call.
  *
- * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_result mip_call_3dm_sensor_range_default(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
@@ -3638,7 +3638,7 @@ static inline mip_error mip_send_3dm_low_pass_filter(
  * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
  *   Required for write.
  * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
- *   Unit: Hz. Required for write.
+ *   Unit: Hz. Range: at least 0. Required for write.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_device *device,
                                                                    uint8_t descriptor_set,
@@ -3753,7 +3753,7 @@ static inline mip_error mip_send_3dm_data_stream_format(
 /**
  * Data stream format: write. Apply the new setting. See mip_device_call.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_write(
@@ -3769,7 +3769,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_write(
 /**
  * Data stream format: read. Return the current setting in a response. See mip_device_call.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_read(
@@ -3786,7 +3786,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_read(
 /**
  * Data stream format: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result
@@ -3802,7 +3802,7 @@ mip_call_3dm_data_stream_format_save(struct mip_device *device, enum mip_3dm_int
 /**
  * Data stream format: load. Load the saved setting. See mip_device_call.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result
@@ -3818,7 +3818,7 @@ mip_call_3dm_data_stream_format_load(struct mip_device *device, enum mip_3dm_int
 /**
  * Data stream format: default. Load the factory default setting. See mip_device_call.
  *
- * - stream: The stream. A value of enum mip_3dm_internal_sensor.
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
  * - format: Its format. A value of enum mip_3dm_stream_format.
  */
 static inline struct mip_result mip_call_3dm_data_stream_format_default(

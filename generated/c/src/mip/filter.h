@@ -570,7 +570,10 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
  * - mscl: Set Initial Attitude From AHRS (0x0D,0x04)
  */
 struct mip_filter_set_initial_attitude_from_imu {
-    /** Local declination of the magnetic field. Unit: rad. */
+    /**
+     * Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+     * 3.141592653589793.
+     */
     float declination;
 };
 
@@ -625,7 +628,8 @@ MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_enc
 /**
  * Set initial attitude from IMU. Fills the structure and returns its address.
  *
- * - declination: Local declination of the magnetic field. Unit: rad.
+ * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+ *   3.141592653589793.
  */
 static inline struct mip_filter_set_initial_attitude_from_imu *
 mip_filter_set_initial_attitude_from_imu_make(
@@ -4844,10 +4848,10 @@ struct mip_filter_magnetic_declination_source {
      */
     uint8_t source;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7
-     * included, require it only if it is, but give one length, with the value. Sending it always
-     * fits both.
+     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
+     * 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
+     * not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+     * length, with the value. Sending it always fits both.
      */
     float declination;
 };
@@ -4882,10 +4886,10 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encod
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
  *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
- * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
- *   3DM-GQ7 included, require it only if it is, but give one length, with the value. Sending it
- *   always fits both.
+ * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
+ *   to 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
+ *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+ *   length, with the value. Sending it always fits both.
  */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4943,9 +4947,10 @@ struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if
-     * it is, but give one length, with the value. Sending it always fits both.
+     * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
+     * 3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The
+     * manuals, that of the 3DM-GQ7 included, require it only if it is, but give one length, with
+     * the value. Sending it always fits both.
      */
     float declination;
 };
@@ -5045,7 +5050,7 @@ struct mip_filter_accel_magnitude_adaptive {
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. Optional. */
     float low_limit;
@@ -5151,7 +5156,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
 struct mip_filter_accel_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. */
     float low_limit;
@@ -5265,7 +5270,9 @@ struct mip_filter_mag_magnitude_adaptive {
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
+    /**
+     * Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write.
+     */
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
@@ -5327,7 +5334,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
  *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
  * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
@@ -5402,7 +5410,7 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
 struct mip_filter_mag_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
@@ -5526,7 +5534,9 @@ struct mip_filter_mag_dip_angle_adaptive {
     uint8_t function;
     /** Whether the adaptation is on. Required for write. */
     mip_bool enable;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
+    /**
+     * Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write.
+     */
     float frequency;
     /**
      * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK gives
@@ -5571,7 +5581,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: Whether the adaptation is on. Required for write.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; rad is inferred from the quantity.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
@@ -5634,7 +5645,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
 struct mip_filter_mag_dip_angle_adaptive_response {
     /** Whether the adaptation is on. */
     mip_bool enable;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
      * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
@@ -6046,9 +6057,10 @@ struct mip_filter_magnetic_inclination_source {
      */
     uint8_t source;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual, as the manuals state for
-     * mip_filter_magnetic_declination_source. The SDK always sends it.
+     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
+     * 1.5707963267948966. Required for write. Uncertain: Whether it may be left out if `source` is
+     * not manual, as the manuals state for mip_filter_magnetic_declination_source. The SDK always
+     * sends it.
      */
     float inclination;
 };
@@ -6080,8 +6092,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encod
  *
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
- * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
+ *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
+ *   left out if `source` is not manual, as the manuals state for
  *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_inclination_source *
@@ -6139,9 +6152,9 @@ struct mip_filter_magnetic_inclination_source_response {
     /** Source of the inclination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual, as the manuals state for
-     * mip_filter_magnetic_declination_source. The SDK always sends it.
+     * Inclination; used only if `source` is manual. Unit: rad. Range: -1.5707963267948966 to
+     * 1.5707963267948966. Uncertain: Whether it may be left out if `source` is not manual, as the
+     * manuals state for mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
@@ -6230,9 +6243,9 @@ struct mip_filter_magnetic_magnitude_source {
      */
     uint8_t source;
     /**
-     * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual, as the manuals state for
-     * mip_filter_magnetic_declination_source. The SDK always sends it.
+     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required for
+     * write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
+     * for mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };
@@ -6264,9 +6277,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
  *
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
- * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
- *   mip_filter_magnetic_declination_source. The SDK always sends it.
+ * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
+ *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
+ *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
@@ -6319,8 +6332,8 @@ struct mip_filter_magnetic_magnitude_source_response {
     /** Source of the magnitude. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
-     * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-     * out if `source` is not manual, as the manuals state for
+     * Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain:
+     * Whether it may be left out if `source` is not manual, as the manuals state for
      * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;

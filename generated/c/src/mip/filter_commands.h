@@ -138,7 +138,8 @@ static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
 /**
  * Set initial attitude from IMU. See mip_device_call.
  *
- * - declination: Local declination of the magnetic field. Unit: rad.
+ * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+ *   3.141592653589793.
  */
 static inline struct mip_result
 mip_call_filter_set_initial_attitude_from_imu(struct mip_device *device, float declination) {
@@ -2259,10 +2260,10 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
  *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
- * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
- *   3DM-GQ7 included, require it only if it is, but give one length, with the value. Sending it
- *   always fits both.
+ * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
+ *   to 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
+ *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+ *   length, with the value. Sending it always fits both.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
@@ -2449,7 +2450,8 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
  * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
  *   response.
@@ -2566,7 +2568,8 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * mip_device_call.
  *
  * - enable: Whether the adaptation is on. Required for write.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK gives m/s^2; rad is inferred from the quantity.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
@@ -2819,8 +2822,9 @@ static inline mip_error mip_send_filter_magnetic_inclination_source(
  *
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
- * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
+ *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
+ *   left out if `source` is not manual, as the manuals state for
  *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
@@ -2909,9 +2913,9 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
  *
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
- * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
- *   mip_filter_magnetic_declination_source. The SDK always sends it.
+ * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
+ *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
+ *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {

@@ -1544,8 +1544,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode_inl
  */
 struct mip_filter_data_wgs84_gravity_magnitude {
     /**
-     * Magnitude of gravity. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and
+     * level: 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float gravity_magnitude;
     /** Whether the values of a field may be used. */
@@ -2064,13 +2064,13 @@ struct mip_filter_data_magnetic_model {
      */
     float intensity_down;
     /**
-     * Angle of the field below the horizontal plane. Unit: rad. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to
+     * 1.5707963267948966. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float inclination;
     /**
-     * Angle from true north to magnetic north. Unit: rad. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to
+     * 3.141592653589793. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float declination;
     /** Whether the values of a field may be used. */
@@ -2449,7 +2449,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertain
  */
 struct mip_filter_data_mag_bias {
     /**
-     * Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * Estimated bias of the magnetometer. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float bias[3];
@@ -2597,8 +2597,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_
  */
 struct mip_filter_data_comp_accel {
     /**
-     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
-     * -9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Acceleration with the estimated bias removed; gravity is included. Elements: x, y, z. Unit:
+     * m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float accel[3];
     /** Whether the values of a field may be used. */
@@ -2682,12 +2683,19 @@ struct mip_filter_data_standard_atmosphere {
      */
     float geopotential_altitude;
     /**
-     * Temperature. Unit: degC. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Temperature that the model has at this altitude. Unit: degC. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float standard_temperature;
-    /** Pressure. Unit: mbar. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float standard_pressure;
-    /** Density. Unit: kg/m^3. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float standard_density;
     /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
@@ -2766,8 +2774,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode_i
  */
 struct mip_filter_data_pressure_altitude {
     /**
-     * Altitude. Unit: m. Range: at most 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most
+     * 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pressure_altitude;
     /** Whether the values of a field may be used. */
@@ -2836,7 +2844,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode_inl
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */
 struct mip_filter_data_density_altitude {
-    /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    /**
+     * Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
     float density_altitude;
     /** Whether the values of a field may be used. */
     mip_filter_data_valid_flags valid_flags;
@@ -4680,7 +4691,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
      */
     float heading;
     /**
-     * Uncertainty of the heading. Unit: rad. Range: at least 0. Valid if
+     * Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading_uncertainty;
@@ -4844,7 +4855,10 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
 struct mip_filter_data_aiding_frame_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
-    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. Range: at least 0. */
+    /**
+     * Standard deviation of the error of the translation. Elements: x, y, z. Unit: m. Range: at
+     * least 0.
+     */
     float translation_uncertainty[3];
     /**
      * Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. Range: at least 0.

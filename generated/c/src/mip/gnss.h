@@ -192,7 +192,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
 struct mip_gnss_receiver_info_response {
     /** Number of physical receivers. The number of elements of receiver_info. */
     uint8_t num_receivers;
-    /** The receivers. */
+    /** One entry for each receiver. */
     struct mip_gnss_receiver_info_entry receiver_info[7];
 };
 

@@ -745,7 +745,7 @@ struct mip_gnss_data_ecef_position {
      */
     double position[3];
     /**
-     * Accuracy of the position. Unit: m. Range: at least 0. Valid if
+     * Estimated error of the position. Unit: m. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
@@ -836,8 +836,8 @@ struct mip_gnss_data_ned_velocity {
      */
     float velocity[3];
     /**
-     * Speed in space. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags
-     * is set.
+     * Speed in space. Unit: m/s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is set.
      */
     float speed;
     /**
@@ -851,12 +851,12 @@ struct mip_gnss_data_ned_velocity {
      */
     float heading;
     /**
-     * Accuracy of the speed. Unit: m/s. Range: at least 0. Valid if
+     * Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in valid_flags is set.
      */
     float speed_accuracy;
     /**
-     * Accuracy of the heading. Unit: deg. Range: at least 0. Valid if
+     * Estimated error of the heading. Unit: deg. Range: at least 0. Valid if
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
@@ -954,7 +954,7 @@ struct mip_gnss_data_ecef_velocity {
      */
     float velocity[3];
     /**
-     * Accuracy of the velocity. Unit: m/s. Range: at least 0. Valid if
+     * Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
@@ -1156,11 +1156,14 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode_inline(
  * - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
  */
 struct mip_gnss_data_utc_time {
-    /** Year. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set. */
+    /**
+     * Year with its century. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
     uint16_t year;
     /**
-     * Month. Range: 1 to 12. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
-     * set.
+     * Month, 1 for January. Range: 1 to 12. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
      */
     uint8_t month;
     /**
@@ -1169,8 +1172,8 @@ struct mip_gnss_data_utc_time {
      */
     uint8_t day;
     /**
-     * Hour. Range: 0 to 23. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
-     * set.
+     * Hour of the day. Range: 0 to 23. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
      */
     uint8_t hour;
     /**
@@ -1369,7 +1372,7 @@ struct mip_gnss_data_clock_info {
      */
     double drift;
     /**
-     * Estimated accuracy. Unit: s. Range: at least 0. Valid if
+     * Estimated error of the bias. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in valid_flags is set.
      */
     double accuracy_estimate;
@@ -1452,7 +1455,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode_inline(
  */
 struct mip_gnss_data_fix_info {
     /**
-     * Type of the fix. A value of enum mip_gnss_fix_type. Valid if
+     * What the receiver can determine at present. A value of enum mip_gnss_fix_type. Valid if
      * MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
@@ -1562,7 +1565,7 @@ struct mip_gnss_data_sv_info {
      */
     int16_t azimuth;
     /**
-     * Angle of the satellite above the horizon. Unit: deg. Valid if
+     * Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if
      * MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is set.
      */
     int16_t elevation;
@@ -1753,8 +1756,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode_inline(
  */
 struct mip_gnss_data_dgps_info {
     /**
-     * Age of the corrections. Unit: s. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is
-     * set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
+     * Age of the corrections. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is set. Uncertain: The unit, which follows
+     * from mip_gnss_data_dgps_channel.
      */
     float age;
     /**
@@ -1869,8 +1873,8 @@ struct mip_gnss_data_dgps_info_satellite {
     /** Number of the satellite. */
     uint8_t satellite_id;
     /**
-     * Age of the correction. Unit: s. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is
-     * set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
+     * Age of the correction. Unit: s. Range: at least 0. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE
+     * in valid_flags is set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
      */
     float age;
     /**
@@ -1979,8 +1983,8 @@ struct mip_gnss_data_dgps_channel {
      */
     uint8_t satellite_id;
     /**
-     * Age of the correction. Unit: s. Valid if MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE in valid_flags
-     * is set.
+     * Age of the correction. Unit: s. Range: at least 0. Valid if
+     * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE in valid_flags is set.
      */
     float age;
     /**
@@ -2084,12 +2088,12 @@ struct mip_gnss_data_clock_info_2 {
      */
     double drift;
     /**
-     * Accuracy of the bias. Unit: s. Range: at least 0. Valid if
+     * Estimated error of the bias. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in valid_flags is set.
      */
     double bias_accuracy_estimate;
     /**
-     * Accuracy of the drift. Unit: s/s. Range: at least 0. Valid if
+     * Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags is set.
      */
     double drift_accuracy_estimate;
@@ -2485,7 +2489,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
  */
 struct mip_gnss_data_rf_error_detection {
     /**
-     * Band. A value of enum mip_gnss_data_rf_band. Valid if
+     * Band that the states are about. A value of enum mip_gnss_data_rf_band. Valid if
      * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
      */
     uint8_t rf_band;
@@ -2850,8 +2854,8 @@ struct mip_gnss_data_raw {
      */
     uint8_t satellite_id;
     /**
-     * Signal. A value of enum mip_gnss_signal. Valid if MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID in
-     * valid_flags is set.
+     * Signal of the satellite that was tracked. A value of enum mip_gnss_signal. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID in valid_flags is set.
      */
     uint8_t signal_id;
     /**
@@ -2864,11 +2868,14 @@ struct mip_gnss_data_raw {
      * MIP_GNSS_DATA_RAW_FLAGS_QUALITY in valid_flags is set.
      */
     uint8_t quality;
-    /** Pseudorange. Unit: m. Valid if MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
+    /**
+     * Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least
+     * 0. Valid if MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE in valid_flags is set.
+     */
     double pseudorange;
     /**
-     * Carrier phase. Unit: cycle. Valid if MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE in valid_flags is
-     * set.
+     * Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle.
+     * Valid if MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE in valid_flags is set.
      */
     double carrier_phase;
     /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_DATA_RAW_FLAGS_DOPPLER in valid_flags is set. */
@@ -2889,8 +2896,8 @@ struct mip_gnss_data_raw {
      */
     float doppler_uncertainty;
     /**
-     * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
-     * MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
+     * Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0.
+     * Valid if MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
     /** Which parts of the observation are valid. */
@@ -3141,22 +3148,22 @@ struct mip_gnss_data_rtk_corrections_status {
      */
     mip_rtk_status_flags dongle_status;
     /**
-     * Latency of the last GPS correction. Unit: s. Valid if
+     * Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
      */
     float gps_correction_latency;
     /**
-     * Latency of the last GLONASS correction. Unit: s. Valid if
+     * Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
      */
     float glonass_correction_latency;
     /**
-     * Latency of the last Galileo correction. Unit: s. Valid if
+     * Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
      */
     float galileo_correction_latency;
     /**
-     * Latency of the last BeiDou correction. Unit: s. Valid if
+     * Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if
      * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
      */
     float beidou_correction_latency;
@@ -3282,8 +3289,8 @@ struct mip_gnss_data_gps_ephemeris {
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
-     * in valid_flags is set.
+     * Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oc;
     /**
@@ -3315,13 +3322,13 @@ struct mip_gnss_data_gps_ephemeris {
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Semi-major axis. Unit: m. Range: greater than 0. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double a;
     /**
@@ -3330,8 +3337,8 @@ struct mip_gnss_data_gps_ephemeris {
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Mean anomaly at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double mean_anomaly;
     /**
@@ -3345,13 +3352,13 @@ struct mip_gnss_data_gps_ephemeris {
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Angle from the ascending node to the perigee. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double argument_of_perigee;
     /**
@@ -3365,8 +3372,8 @@ struct mip_gnss_data_gps_ephemeris {
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Inclination of the orbit at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double inclination;
     /**
@@ -3811,8 +3818,8 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
-     * in valid_flags is set.
+     * Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oc;
     /**
@@ -3844,13 +3851,13 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Semi-major axis. Unit: m. Range: greater than 0. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double a;
     /**
@@ -3859,8 +3866,8 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Mean anomaly at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double mean_anomaly;
     /**
@@ -3874,13 +3881,13 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Angle from the ascending node to the perigee. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double argument_of_perigee;
     /**
@@ -3894,8 +3901,8 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Inclination of the orbit at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double inclination;
     /**
@@ -4100,8 +4107,8 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
-     * in valid_flags is set.
+     * Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oc;
     /**
@@ -4133,13 +4140,13 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Semi-major axis. Unit: m. Range: greater than 0. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double a;
     /**
@@ -4148,8 +4155,8 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Mean anomaly at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double mean_anomaly;
     /**
@@ -4163,13 +4170,13 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Angle from the ascending node to the perigee. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double argument_of_perigee;
     /**
@@ -4183,8 +4190,8 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
-     * set.
+     * Inclination of the orbit at the reference time. Unit: rad. Valid if
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double inclination;
     /**

@@ -872,7 +872,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
  * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
  */
 struct mip_rtk_get_modem_firmware_version_response {
-    /** Firmware version. */
+    /** Firmware version of the modem, not of the dongle. */
     char modem_firmware_version[33];
 };
 

@@ -268,6 +268,9 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_mag_encode_inline(
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
+ * Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both manuals
+ * print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is −0.998 g.
+ *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
  */
@@ -1233,7 +1236,11 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode_i
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
  */
 struct mip_sensor_north_vector {
-    /** Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. */
+    /**
+     * Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The
+     * SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes
+     * lack this vector.
+     */
     float stabilized_mag[3];
 };
 
@@ -1300,11 +1307,14 @@ MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode_inline(
  * sensor-to-vehicle transformation changes.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
+ * - mip-sdk-4: Complementary filter stabilized up vector (0x80,0x11)
  */
 struct mip_sensor_up_vector {
     /**
-     * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
-     * sensor. At rest and level: x 0, y 0, z -1.
+     * The inverse of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit:
+     * g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
+     * vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
+     * vector.
      */
     float stabilized_accel[3];
 };
@@ -1599,7 +1609,7 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode_inline(
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
  */
 struct mip_sensor_scaled_pressure {
-    /** Ambient pressure. Unit: mbar. */
+    /** Ambient pressure. Unit: mbar. Range: at least 0. */
     float scaled_pressure;
 };
 

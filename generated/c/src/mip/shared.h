@@ -336,7 +336,7 @@ MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode_inline(
  * - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
  */
 struct mip_shared_delta_time {
-    /** Time since the last output. Unit: s. */
+    /** Time since the last output. Unit: s. Range: at least 0. */
     double seconds;
 };
 

@@ -83,7 +83,8 @@ struct mip_system_interface_control {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept `all`.
+     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: Whether
+     * write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that it receives. Required for write. */
@@ -116,8 +117,8 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  * - protocols_incoming: Protocols that it receives. Required for write.
  * - protocols_outgoing: Protocols that it sends. Required for write.
  */
@@ -134,8 +135,8 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
@@ -147,8 +148,8 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
@@ -160,8 +161,8 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
@@ -173,8 +174,8 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
@@ -194,7 +195,8 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
  */
 struct mip_system_interface_control_response {
     /**
-     * The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept `all`.
+     * Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain: Whether
+     * write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that it receives. */

@@ -36,8 +36,8 @@ static inline mip_error mip_send_system_interface_control(
 /**
  * Interface control: write. Apply the new setting. See mip_device_call.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  * - protocols_incoming: Protocols that it receives. Required for write.
  * - protocols_outgoing: Protocols that it sends. Required for write.
  */
@@ -55,8 +55,8 @@ static inline struct mip_result mip_call_system_interface_control_write(
 /**
  * Interface control: read. Return the current setting in a response. See mip_device_call.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_interface port,
@@ -71,8 +71,8 @@ mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_
 /**
  * Interface control: save. Save the current setting to non-volatile memory. See mip_device_call.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_interface port) {
@@ -85,8 +85,8 @@ mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_
 /**
  * Interface control: load. Load the saved setting. See mip_device_call.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_interface port) {
@@ -99,8 +99,8 @@ mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_
 /**
  * Interface control: default. Load the factory default setting. See mip_device_call.
  *
- * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
- *   `all`.
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_default(struct mip_device *device, enum mip_comm_interface port) {

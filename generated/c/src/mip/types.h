@@ -252,7 +252,7 @@ static inline void mip_cv7_continuous_bit_set_gnss_main_process_fault(
     mip_set_bits(flags->bytes, 24, 1, value);
 }
 
-/** Bit 25. No data from internal receiver 1 in time. */
+/** Bit 25. No data from internal receiver 1 in time. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_1_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
@@ -263,7 +263,7 @@ mip_cv7_continuous_bit_set_gnss_receiver_1_stall(struct mip_cv7_continuous_bit *
     mip_set_bits(flags->bytes, 25, 1, value);
 }
 
-/** Bit 26. No data from internal receiver 2 in time. */
+/** Bit 26. No data from internal receiver 2 in time. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_2_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
@@ -498,7 +498,7 @@ static inline void mip_cv7_continuous_bit_set_filter_timing_underrun(
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
-/** Bit 105. No communication with internal receiver 1. */
+/** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_1_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
@@ -509,7 +509,10 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. */
+/**
+ * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Concerns
+ * mip_gnss_data_fix_info.
+ */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
@@ -520,7 +523,7 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_no_solution(
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 110. No communication with internal receiver 2. */
+/** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_2_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
@@ -531,7 +534,10 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. */
+/**
+ * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Concerns
+ * mip_gnss_data_fix_info.
+ */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
@@ -728,7 +734,7 @@ static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_in
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. */
+/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -739,7 +745,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. */
+/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -750,7 +756,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. */
+/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -761,7 +767,7 @@ mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. */
+/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -772,7 +778,9 @@ static inline void mip_cv7_inertial_bit_set_accel_general_fault(struct mip_cv7_i
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. The accelerometer measures near or beyond its range. */
+/**
+ * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_accel_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
@@ -783,7 +791,7 @@ static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_iner
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. */
+/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
@@ -794,7 +802,7 @@ static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. */
+/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -805,7 +813,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_general_fault(struct mip_cv7_in
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. */
+/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
@@ -816,7 +824,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inert
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. */
+/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
@@ -827,7 +835,7 @@ static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_i
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. */
+/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -838,7 +846,7 @@ static inline void mip_cv7_inertial_bit_set_mag_general_fault(struct mip_cv7_ine
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. */
+/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
@@ -849,7 +857,7 @@ static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inerti
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. */
+/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
@@ -860,7 +868,7 @@ static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_in
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. */
+/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -871,7 +879,10 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_general_fault(
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53. The pressure sensor measures near or beyond its range. */
+/**
+ * Bit 53. The pressure sensor measures near or beyond its range. Concerns
+ * mip_sensor_scaled_pressure.
+ */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_over_range(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
@@ -882,7 +893,7 @@ static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. */
+/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
 static inline bool
 mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
@@ -1047,7 +1058,7 @@ static inline void mip_gq7_bit_set_imu_timing_overrun(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Accelerometer calibration error. */
+/** Bit 36. Accelerometer calibration error. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_accel(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
@@ -1057,7 +1068,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_accel(struct mip_gq7_bi
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Gyroscope calibration error. */
+/** Bit 37. Gyroscope calibration error. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_gyro(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
@@ -1067,7 +1078,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_gyro(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Magnetometer calibration error. */
+/** Bit 38. Magnetometer calibration error. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_imu_calibration_error_mag(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
@@ -1077,7 +1088,7 @@ static inline void mip_gq7_bit_set_imu_calibration_error_mag(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. Accelerometer fault. */
+/** Bit 40. Accelerometer fault. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_accel_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
@@ -1086,7 +1097,9 @@ static inline void mip_gq7_bit_set_accel_general_fault(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41. The accelerometer measures near or beyond its range. */
+/**
+ * Bit 41. The accelerometer measures near or beyond its range. Concerns mip_sensor_scaled_accel.
+ */
 static inline bool mip_gq7_bit_get_accel_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
@@ -1095,7 +1108,7 @@ static inline void mip_gq7_bit_set_accel_over_range(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42. The accelerometer self-test failed. */
+/** Bit 42. The accelerometer self-test failed. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_bit_get_accel_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
@@ -1104,7 +1117,7 @@ static inline void mip_gq7_bit_set_accel_self_test_fail(struct mip_gq7_bit *flag
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. Gyroscope fault. */
+/** Bit 44. Gyroscope fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
@@ -1113,7 +1126,7 @@ static inline void mip_gq7_bit_set_gyro_general_fault(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45. The gyroscope measures near or beyond its range. */
+/** Bit 45. The gyroscope measures near or beyond its range. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
@@ -1122,7 +1135,7 @@ static inline void mip_gq7_bit_set_gyro_over_range(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46. The gyroscope self-test failed. */
+/** Bit 46. The gyroscope self-test failed. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_bit_get_gyro_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
@@ -1131,7 +1144,7 @@ static inline void mip_gq7_bit_set_gyro_self_test_fail(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. Magnetometer fault. */
+/** Bit 48. Magnetometer fault. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
@@ -1140,7 +1153,7 @@ static inline void mip_gq7_bit_set_mag_general_fault(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49. The magnetometer measures near or beyond its range. */
+/** Bit 49. The magnetometer measures near or beyond its range. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
@@ -1149,7 +1162,7 @@ static inline void mip_gq7_bit_set_mag_over_range(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50. The magnetometer self-test failed. */
+/** Bit 50. The magnetometer self-test failed. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_bit_get_mag_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
@@ -1158,7 +1171,7 @@ static inline void mip_gq7_bit_set_mag_self_test_fail(struct mip_gq7_bit *flags,
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. Pressure sensor fault. */
+/** Bit 52. Pressure sensor fault. Concerns mip_sensor_scaled_pressure. */
 static inline bool mip_gq7_bit_get_pressure_sensor_general_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
@@ -1168,7 +1181,10 @@ static inline void mip_gq7_bit_set_pressure_sensor_general_fault(struct mip_gq7_
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53. The pressure sensor measures near or beyond its range. */
+/**
+ * Bit 53. The pressure sensor measures near or beyond its range. Concerns
+ * mip_sensor_scaled_pressure.
+ */
 static inline bool mip_gq7_bit_get_pressure_sensor_over_range(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
@@ -1178,7 +1194,7 @@ static inline void mip_gq7_bit_set_pressure_sensor_over_range(struct mip_gq7_bit
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54. The pressure sensor self-test failed. */
+/** Bit 54. The pressure sensor self-test failed. Concerns mip_sensor_scaled_pressure. */
 static inline bool mip_gq7_bit_get_pressure_sensor_self_test_fail(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
@@ -1260,7 +1276,7 @@ static inline void mip_gq7_bit_set_gnss_comm_error(struct mip_gq7_bit *flags, ui
     mip_set_bits(flags->bytes, 98, 3, value);
 }
 
-/** Bit 101. GPS time fault. */
+/** Bit 101. GPS time fault. Concerns mip_gnss_data_gps_time. */
 static inline bool mip_gq7_bit_get_gps_time_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 101, 1);
 }
@@ -1278,7 +1294,7 @@ static inline void mip_gq7_bit_set_gnss_timing_overrun(struct mip_gq7_bit *flags
     mip_set_bits(flags->bytes, 102, 1, value);
 }
 
-/** Bit 104. Receiver 1 power supply fault. */
+/** Bit 104. Receiver 1 power supply fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 104, 1);
 }
@@ -1287,7 +1303,7 @@ static inline void mip_gq7_bit_set_receiver_1_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 104, 1, value);
 }
 
-/** Bit 105. Receiver 1 fault. */
+/** Bit 105. Receiver 1 fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
@@ -1296,7 +1312,7 @@ static inline void mip_gq7_bit_set_receiver_1_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 106. Antenna 1 is shorted. */
+/** Bit 106. Antenna 1 is shorted. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_1_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 106, 1);
 }
@@ -1305,7 +1321,7 @@ static inline void mip_gq7_bit_set_antenna_1_shorted(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 106, 1, value);
 }
 
-/** Bit 107. Antenna 1 is not connected. */
+/** Bit 107. Antenna 1 is not connected. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_1_open(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 107, 1);
 }
@@ -1314,7 +1330,7 @@ static inline void mip_gq7_bit_set_antenna_1_open(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 107, 1, value);
 }
 
-/** Bit 108. Receiver 1 has no solution. */
+/** Bit 108. Receiver 1 has no solution. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_1_solution_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
@@ -1324,7 +1340,7 @@ static inline void mip_gq7_bit_set_receiver_1_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 109. Receiver 2 power supply fault. */
+/** Bit 109. Receiver 2 power supply fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_power_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 109, 1);
 }
@@ -1333,7 +1349,7 @@ static inline void mip_gq7_bit_set_receiver_2_power_fault(struct mip_gq7_bit *fl
     mip_set_bits(flags->bytes, 109, 1, value);
 }
 
-/** Bit 110. Receiver 2 fault. */
+/** Bit 110. Receiver 2 fault. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
@@ -1342,7 +1358,7 @@ static inline void mip_gq7_bit_set_receiver_2_fault(struct mip_gq7_bit *flags, b
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 111. Antenna 2 is shorted. */
+/** Bit 111. Antenna 2 is shorted. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_2_shorted(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 111, 1);
 }
@@ -1351,7 +1367,7 @@ static inline void mip_gq7_bit_set_antenna_2_shorted(struct mip_gq7_bit *flags, 
     mip_set_bits(flags->bytes, 111, 1, value);
 }
 
-/** Bit 112. Antenna 2 is not connected. */
+/** Bit 112. Antenna 2 is not connected. Concerns mip_gnss_data_hardware_status. */
 static inline bool mip_gq7_bit_get_antenna_2_open(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 112, 1);
 }
@@ -1360,7 +1376,7 @@ static inline void mip_gq7_bit_set_antenna_2_open(struct mip_gq7_bit *flags, boo
     mip_set_bits(flags->bytes, 112, 1, value);
 }
 
-/** Bit 113. Receiver 2 has no solution. */
+/** Bit 113. Receiver 2 has no solution. Concerns mip_gnss_data_fix_info. */
 static inline bool mip_gq7_bit_get_receiver_2_solution_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
@@ -1370,7 +1386,7 @@ static inline void mip_gq7_bit_set_receiver_2_solution_fault(struct mip_gq7_bit 
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 
-/** Bit 114. RTCM communication fault. */
+/** Bit 114. RTCM communication fault. Concerns mip_gnss_data_rtk_corrections_status. */
 static inline bool mip_gq7_bit_get_rtcm_comm_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 114, 1);
 }
@@ -1379,7 +1395,7 @@ static inline void mip_gq7_bit_set_rtcm_comm_fault(struct mip_gq7_bit *flags, bo
     mip_set_bits(flags->bytes, 114, 1, value);
 }
 
-/** Bit 115. RTK modem fault. */
+/** Bit 115. RTK modem fault. Concerns mip_rtk_get_status_flags. */
 static inline bool mip_gq7_bit_get_rtk_dongle_fault(const struct mip_gq7_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 115, 1);
 }

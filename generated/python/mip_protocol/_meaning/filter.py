@@ -53,7 +53,7 @@ TYPES: dict[str, Info] = {
     "SetInitialAttitudeFromImu": FieldInfo(
         "filter.set_initial_attitude_from_imu", filter.SetInitialAttitudeFromImu, perhaps=("3dm-gx3-45",),
         parameters=(
-            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
+            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793),
         ),
     ),
     "Run": FieldInfo(
@@ -276,7 +276,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.MagParameterSource, variants=(Variant("device", ("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-gv7-ahrs", "3dm-gv7-ar"), {"only": ("none", "manual")}), Variant("device", ("3dm-gq7",), {"only": ("wmm", "manual")}),)),
-            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",), required=("write",)),
+            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, required=("write",)),
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurement": FieldInfo(
@@ -284,7 +284,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", required=("write",), type=filter.AdaptiveMeasurementSelector, variants=(Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("disabled", "fixed")}),)),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), optional=True),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), optional=True, minimum=0),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("m/s^2",), optional=True),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("m/s^2",), optional=True),
             Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), optional=True, minimum=0),
@@ -297,7 +297,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", required=("write",), type=filter.AdaptiveMeasurementSelector, variants=(Variant("device", ("3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), {"only": ("disabled", "fixed")}),)),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",), minimum=0),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",), required=("write",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",), required=("write",)),
             Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",), required=("write",), minimum=0),
@@ -310,7 +310,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", scalar="bool", required=("write",)),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",), minimum=0),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",), required=("write",)),
             Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",), minimum=0),
             Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",), required=("write",), minimum=0),
@@ -335,7 +335,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.MagParameterSource),
-            Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",), required=("write",)),
+            Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966, required=("write",)),
         ),
     ),
     "MagneticMagnitudeSource": FieldInfo(
@@ -343,7 +343,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", scalar="u8", required=("write",), type=filter.MagParameterSource),
-            Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",), required=("write",)),
+            Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",), required=("write",), minimum=0),
         ),
     ),
     "SensorToVehicleRotationDcm": FieldInfo(
@@ -609,14 +609,14 @@ TYPES: dict[str, Info] = {
         "filter.magnetic_declination_source_response", filter.MagneticDeclinationSourceResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-25", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq4-45", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
-            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
+            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793),
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurementResponse": FieldInfo(
         "filter.accel_magnitude_error_adaptive_measurement_response", filter.AccelMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-15", "3dm-gx5-45"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", type=filter.AdaptiveMeasurementSelector),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("m/s^2",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("m/s^2",)),
             Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("m/s^2",), minimum=0),
@@ -628,7 +628,7 @@ TYPES: dict[str, Info] = {
         "filter.mag_magnitude_error_adaptive_measurement_response", filter.MagMagnitudeErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("adaptive_measurement", "adaptive_measurement", "scalar", scalar="u8", type=filter.AdaptiveMeasurementSelector),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
             Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
             Parameter("low_limit_uncertainty", "low_limit_uncertainty", "scalar", scalar="float", units=("gauss",), minimum=0),
@@ -640,7 +640,7 @@ TYPES: dict[str, Info] = {
         "filter.mag_dip_angle_error_adaptive_measurement_response", filter.MagDipAngleErrorAdaptiveMeasurementResponse, devices=("3dm-gx5-45",), perhaps=("3dm-cl5-25", "3dm-cv5-25", "3dm-cv5-45", "3dm-cx5-25", "3dm-cx5-45", "3dm-gq4-45", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("enable", "enable", "scalar", scalar="bool"),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
             Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
             Parameter("high_limit_uncertainty", "high_limit_uncertainty", "scalar", scalar="float", units=("rad",), minimum=0),
             Parameter("minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",), minimum=0),
@@ -662,14 +662,14 @@ TYPES: dict[str, Info] = {
         "filter.magnetic_inclination_source_response", filter.MagneticInclinationSourceResponse,
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
-            Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
+            Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",), minimum=-1.5707963267948966, maximum=1.5707963267948966),
         ),
     ),
     "MagneticMagnitudeSourceResponse": FieldInfo(
         "filter.magnetic_magnitude_source_response", filter.MagneticMagnitudeSourceResponse,
         parameters=(
             Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
-            Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
+            Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",), minimum=0),
         ),
     ),
     "SensorToVehicleRotationDcmResponse": FieldInfo(

@@ -446,7 +446,7 @@ TYPES: dict[str, Info] = {
             Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8", required=("write", "read", "save", "load", "default")),
             Parameter("enable", "enable", "scalar", scalar="bool", required=("write",)),
             Parameter("manual", "manual", "scalar", scalar="bool", required=("write",)),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), required=("write",), minimum=0),
         ),
     ),
     "DataStreamFormat": FieldInfo(
@@ -1027,7 +1027,7 @@ TYPES: dict[str, Info] = {
             Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
             Parameter("enable", "enable", "scalar", scalar="bool"),
             Parameter("manual", "manual", "scalar", scalar="bool"),
-            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+            Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",), minimum=0),
         ),
     ),
 }

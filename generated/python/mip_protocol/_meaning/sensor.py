@@ -150,7 +150,7 @@ TYPES: dict[str, Info] = {
     "ScaledPressure": FieldInfo(
         "sensor.scaled_pressure", sensor.ScaledPressure, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-15", "3dm-gx5-35"), perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-25", "3dm-gx5-45"),
         parameters=(
-            Parameter("scaled_pressure", "scaled_pressure", "scalar", scalar="float", units=("mbar",)),
+            Parameter("scaled_pressure", "scaled_pressure", "scalar", scalar="float", units=("mbar",), minimum=0),
         ),
     ),
     "OverrangeStatus": FieldInfo(

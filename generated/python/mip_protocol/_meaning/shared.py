@@ -42,7 +42,7 @@ TYPES: dict[str, Info] = {
     "DeltaTime": FieldInfo(
         "shared.delta_time", shared.DeltaTime, devices=("3dm-cv7-ar", "3dm-cv7-gnss-ins"), perhaps=("3dm-cv7-ahrs", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"),
         parameters=(
-            Parameter("seconds", "seconds", "scalar", scalar="double", units=("s",)),
+            Parameter("seconds", "seconds", "scalar", scalar="double", units=("s",), minimum=0),
         ),
     ),
     "ReferenceTimestamp": FieldInfo(

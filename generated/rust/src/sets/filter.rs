@@ -512,7 +512,7 @@ record! {
     pub struct SetInitialAttitudeFromImu {
         /// Local declination of the magnetic field.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
         pub declination: f32,
     }
 }
@@ -2612,10 +2612,10 @@ record! {
         pub source: Option<MagParameterSource>,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
-        /// require it only if it is, but give one length, with the value. Sending it always fits
-        /// both.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required for
+        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
+        /// `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
+        /// is, but give one length, with the value. Sending it always fits both.
         pub declination: Option<f32>,
     }
     wire 6 {
@@ -2702,7 +2702,7 @@ record! {
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz. Optional.
+        /// Unit: Hz. Range: at least 0. Optional.
         pub frequency: Option<f32>,
         /// Lower limit of the error.
         ///
@@ -2822,7 +2822,7 @@ record! {
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
         /// Lower limit of the error.
         ///
@@ -2942,7 +2942,7 @@ record! {
         pub enable: Option<crate::Bool>,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
         /// Upper limit of the error.
         ///
@@ -3163,9 +3163,10 @@ record! {
         pub source: Option<MagParameterSource>,
         /// Inclination; used only if `source` is manual.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual, as the manuals state for
-        /// [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Required for
+        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
+        /// `source` is not manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK
+        /// always sends it.
         pub inclination: Option<f32>,
     }
     wire 6 {
@@ -3233,9 +3234,9 @@ record! {
         pub source: Option<MagParameterSource>,
         /// Magnitude; used only if `source` is manual.
         ///
-        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual, as the manuals state for
-        /// [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
+        /// Uncertain: Whether it may be left out if `source` is not manual, as the manuals state
+        /// for [`MagneticDeclinationSource`]. The SDK always sends it.
         pub magnitude: Option<f32>,
     }
     wire 6 {
@@ -5029,9 +5030,9 @@ record! {
         pub source: MagParameterSource,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The manuals,
-        /// that of the 3DM-GQ7 included, require it only if it is, but give one length, with the
-        /// value. Sending it always fits both.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Uncertain: Whether it may be
+        /// left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require
+        /// it only if it is, but give one length, with the value. Sending it always fits both.
         pub declination: f32,
     }
 }
@@ -5063,7 +5064,7 @@ record! {
         pub adaptive_measurement: AdaptiveMeasurementSelector,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz.
+        /// Unit: Hz. Range: at least 0.
         pub frequency: f32,
         /// Lower limit of the error.
         ///
@@ -5114,7 +5115,7 @@ record! {
         pub adaptive_measurement: AdaptiveMeasurementSelector,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz.
+        /// Unit: Hz. Range: at least 0.
         pub frequency: f32,
         /// Lower limit of the error.
         ///
@@ -5169,7 +5170,7 @@ record! {
         pub enable: crate::Bool,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz.
+        /// Unit: Hz. Range: at least 0.
         pub frequency: f32,
         /// Upper limit of the error.
         ///
@@ -5255,8 +5256,9 @@ record! {
         pub source: MagParameterSource,
         /// Inclination; used only if `source` is manual.
         ///
-        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual, as the
-        /// manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Uncertain: Whether it may
+        /// be left out if `source` is not manual, as the manuals state for
+        /// [`MagneticDeclinationSource`]. The SDK always sends it.
         pub inclination: f32,
     }
 }
@@ -5280,8 +5282,8 @@ record! {
         pub source: MagParameterSource,
         /// Magnitude; used only if `source` is manual.
         ///
-        /// Unit: gauss. Uncertain: Whether it may be left out if `source` is not manual, as the
-        /// manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
+        /// Unit: gauss. Range: at least 0. Uncertain: Whether it may be left out if `source` is not
+        /// manual, as the manuals state for [`MagneticDeclinationSource`]. The SDK always sends it.
         pub magnitude: f32,
     }
 }

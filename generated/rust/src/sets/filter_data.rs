@@ -1140,7 +1140,7 @@ record! {
     /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
     #[derive(Copy, Default)]
     pub struct Wgs84GravityMagnitude {
-        /// Magnitude of gravity.
+        /// Gravity at this position according to the model.
         ///
         /// Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1570,11 +1570,13 @@ record! {
         pub intensity_down: f32,
         /// Angle of the field below the horizontal plane.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub inclination: f32,
         /// Angle from true north to magnetic north.
         ///
-        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub declination: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1706,7 +1708,7 @@ record! {
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
     pub struct MagBias {
-        /// Bias.
+        /// Estimated bias of the magnetometer.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1776,7 +1778,7 @@ record! {
     /// Compensated Acceleration (0x82, 0x1C).
     #[derive(Copy, Default)]
     pub struct CompAccel {
-        /// Acceleration.
+        /// Acceleration with the estimated bias removed; gravity is included.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1813,17 +1815,18 @@ record! {
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geopotential_altitude: f32,
-        /// Temperature.
+        /// Temperature that the model has at this altitude.
         ///
         /// Unit: degC. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub standard_temperature: f32,
-        /// Pressure.
+        /// Pressure that the model has at this altitude.
         ///
-        /// Unit: mbar. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: mbar. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub standard_pressure: f32,
-        /// Density.
+        /// Air density that the model has at this altitude.
         ///
-        /// Unit: kg/m^3. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        /// Unit: kg/m^3. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is
+        /// set.
         pub standard_density: f32,
         /// Whether the values of a field may be used.
         pub valid_flags: ValidFlags,
@@ -1860,7 +1863,7 @@ record! {
     /// Altitude (0x82, 0x21).
     #[derive(Copy, Default)]
     pub struct PressureAltitude {
-        /// Altitude.
+        /// Altitude in the standard atmosphere that has the measured pressure.
         ///
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub pressure_altitude: f32,
@@ -1886,7 +1889,7 @@ record! {
     /// Source: mip-sdk-4: Density altitude (0x82,0x22).
     #[derive(Copy, Default)]
     pub struct DensityAltitude {
-        /// Altitude.
+        /// Altitude in the standard atmosphere that has the present air density.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub density_altitude: f32,
@@ -2671,7 +2674,7 @@ record! {
         /// Unit: rad. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading: f32,
-        /// Uncertainty of the heading.
+        /// Standard deviation of the heading.
         ///
         /// Unit: rad. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
@@ -2738,7 +2741,7 @@ record! {
     pub struct AidingFrameConfigErrorUncertainty {
         /// Number of the frame.
         pub frame_id: u8,
-        /// Uncertainty of the translation.
+        /// Standard deviation of the error of the translation.
         ///
         /// Elements: x, y, z. Unit: m. Range: at least 0.
         pub translation_uncertainty: types::Vector3f,

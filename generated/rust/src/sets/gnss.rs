@@ -570,7 +570,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
     #[derive(Default, Eq, Hash)]
     pub struct ReceiverInfoResponse {
-        /// The receivers.
+        /// One entry for each receiver.
         pub receiver_info: crate::List<ReceiverInfoEntry, 7>,
     }
     wire 239 {

@@ -997,7 +997,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.position`](EcefPositionFlags::position) is set.
         pub position: types::Vector3d,
-        /// Accuracy of the position.
+        /// Estimated error of the position.
         ///
         /// Unit: m. Range: at least 0. Valid if
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
@@ -1041,7 +1041,8 @@ record! {
         pub velocity: types::Ned3f,
         /// Speed in space.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.speed_3d`](NedVelocityFlags::speed_3d) is set.
+        /// Unit: m/s. Range: at least 0. Valid if
+        /// [`valid_flags.speed_3d`](NedVelocityFlags::speed_3d) is set.
         pub speed: f32,
         /// Speed over ground.
         ///
@@ -1053,12 +1054,12 @@ record! {
         /// Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.heading`](NedVelocityFlags::heading) is set.
         pub heading: f32,
-        /// Accuracy of the speed.
+        /// Estimated error of the speed.
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is set.
         pub speed_accuracy: f32,
-        /// Accuracy of the heading.
+        /// Estimated error of the heading.
         ///
         /// Unit: deg. Range: at least 0. Valid if
         /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
@@ -1094,7 +1095,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if
         /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
         pub velocity: types::Vector3f,
-        /// Accuracy of the velocity.
+        /// Estimated error of the velocity.
         ///
         /// Unit: m/s. Range: at least 0. Valid if
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
@@ -1181,11 +1182,11 @@ record! {
     /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UtcTime {
-        /// Year.
+        /// Year with its century.
         ///
         /// Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub year: u16,
-        /// Month.
+        /// Month, 1 for January.
         ///
         /// Range: 1 to 12. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
         /// set.
@@ -1195,7 +1196,7 @@ record! {
         /// Range: 1 to 31. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
         /// set.
         pub day: u8,
-        /// Hour.
+        /// Hour of the day.
         ///
         /// Range: 0 to 23. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
         /// set.
@@ -1231,7 +1232,9 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Flagged by
+    /// [`gps_time_fault`](types::Gq7ContinuousBuiltInTest::gps_time_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
     /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -1286,7 +1289,7 @@ record! {
         ///
         /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfoFlags::drift) is set.
         pub drift: f64,
-        /// Estimated accuracy.
+        /// Estimated error of the bias.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
@@ -1310,7 +1313,31 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
     /// [`mip_3dm::ConstellationSettings`](crate::mip_3dm::ConstellationSettings),
     /// [`gnss::SignalConfig`](crate::gnss::SignalConfig) and
-    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Supported by
+    /// [`gnss::RtkConfig`](crate::gnss::RtkConfig). Flagged by
+    /// [`gnss_receiver_1_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_1_stall) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`gnss_receiver_2_stall`](types::Cv7ContinuousBuiltInTest::gnss_receiver_2_stall) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_fault`](types::Cv7ContinuousBuiltInTest::receiver_1_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_1_no_solution) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_2_fault`](types::Cv7ContinuousBuiltInTest::receiver_2_fault) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_2_no_solution`](types::Cv7ContinuousBuiltInTest::receiver_2_no_solution) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`receiver_1_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_power_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_1_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_1_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_1_solution_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_2_power_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_power_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`receiver_2_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`] and
+    /// [`receiver_2_solution_fault`](types::Gq7ContinuousBuiltInTest::receiver_2_solution_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -1323,7 +1350,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct FixInfo {
-        /// Type of the fix.
+        /// What the receiver can determine at present.
         ///
         /// Valid if [`valid_flags.fix_type`](FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
@@ -1383,7 +1410,8 @@ record! {
         pub azimuth: i16,
         /// Angle of the satellite above the horizon.
         ///
-        /// Unit: deg. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation) is set.
+        /// Unit: deg. Range: -90 to 90. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation)
+        /// is set.
         pub elevation: i16,
         /// State of the satellite.
         ///
@@ -1405,7 +1433,15 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Flagged by
+    /// [`antenna_1_shorted`](types::Gq7ContinuousBuiltInTest::antenna_1_shorted) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`antenna_1_open`](types::Gq7ContinuousBuiltInTest::antenna_1_open) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`antenna_2_shorted`](types::Gq7ContinuousBuiltInTest::antenna_2_shorted) of
+    /// [`types::Gq7ContinuousBuiltInTest`] and
+    /// [`antenna_2_open`](types::Gq7ContinuousBuiltInTest::antenna_2_open) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45). Probably supported by
     /// [3DM-CV5-45](crate::devices::CV5_45), [3DM-CX5-35](crate::devices::CX5_35),
@@ -1460,8 +1496,8 @@ record! {
     pub struct DgpsInfo {
         /// Age of the corrections.
         ///
-        /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
-        /// which follows from [`DgpsChannel`].
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
+        /// Uncertain: The unit, which follows from [`DgpsChannel`].
         pub age: f32,
         /// Number of the base station.
         ///
@@ -1510,8 +1546,8 @@ record! {
         pub satellite_id: u8,
         /// Age of the correction.
         ///
-        /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
-        /// which follows from [`DgpsChannel`].
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set.
+        /// Uncertain: The unit, which follows from [`DgpsChannel`].
         pub age: f32,
         /// Correction of the range.
         ///
@@ -1556,7 +1592,7 @@ record! {
         pub satellite_id: u8,
         /// Age of the correction.
         ///
-        /// Unit: s. Valid if [`valid_flags.age`](DgpsChannelFlags::age) is set.
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.age`](DgpsChannelFlags::age) is set.
         pub age: f32,
         /// Correction of the range.
         ///
@@ -1602,12 +1638,12 @@ record! {
         ///
         /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfo2Flags::drift) is set.
         pub drift: f64,
-        /// Accuracy of the bias.
+        /// Estimated error of the bias.
         ///
         /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
         pub bias_accuracy_estimate: f64,
-        /// Accuracy of the drift.
+        /// Estimated error of the drift.
         ///
         /// Unit: s/s. Range: at least 0. Valid if
         /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
@@ -1777,7 +1813,7 @@ record! {
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
-        /// Band.
+        /// Band that the states are about.
         ///
         /// Valid if [`valid_flags.rf_band`](RfErrorDetectionFlags::rf_band) is set.
         pub rf_band: RfBand,
@@ -1954,7 +1990,7 @@ record! {
         ///
         /// Valid if [`valid_flags.satellite_id`](RawFlags::satellite_id) is set.
         pub satellite_id: u8,
-        /// Signal.
+        /// Signal of the satellite that was tracked.
         ///
         /// Valid if [`valid_flags.signal_id`](RawFlags::signal_id) is set.
         pub signal_id: types::GnssSignal,
@@ -1966,11 +2002,12 @@ record! {
         ///
         /// Valid if [`valid_flags.quality`](RawFlags::quality) is set.
         pub quality: SignalQuality,
-        /// Pseudorange.
+        /// Measured distance, with the clock errors of receiver and satellite.
         ///
-        /// Unit: m. Valid if [`valid_flags.pseudorange`](RawFlags::pseudorange) is set.
+        /// Unit: m. Range: at least 0. Valid if [`valid_flags.pseudorange`](RawFlags::pseudorange)
+        /// is set.
         pub pseudorange: f64,
-        /// Carrier phase.
+        /// Accumulated phase of the carrier; its initial number of cycles is arbitrary.
         ///
         /// Unit: cycle. Valid if [`valid_flags.carrier_phase`](RawFlags::carrier_phase) is set.
         pub carrier_phase: f64,
@@ -1995,7 +2032,8 @@ record! {
         pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
-        /// Unit: s. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is set.
+        /// Unit: s. Range: at least 0. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is
+        /// set.
         pub lock_time: f32,
         /// Which parts of the observation are valid.
         pub valid_flags: RawFlags,
@@ -2067,7 +2105,9 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Probably changed by
     /// [`gnss::RtkDongleConfig`](crate::gnss::RtkDongleConfig) and
-    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Supported by
+    /// [`gnss::SpartnConfig`](crate::gnss::SpartnConfig). Flagged by
+    /// [`rtcm_comm_fault`](types::Gq7ContinuousBuiltInTest::rtcm_comm_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Refused by [3DM-GX5-25](crate::devices::GX5_25).
     ///
@@ -2098,22 +2138,22 @@ record! {
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
-        /// Unit: s. Valid if [`valid_flags.gps_latency`](RtkCorrectionsStatusFlags::gps_latency) is
-        /// set.
+        /// Unit: s. Range: at least 0. Valid if
+        /// [`valid_flags.gps_latency`](RtkCorrectionsStatusFlags::gps_latency) is set.
         pub gps_correction_latency: f32,
         /// Latency of the last GLONASS correction.
         ///
-        /// Unit: s. Valid if
+        /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.glonass_latency`](RtkCorrectionsStatusFlags::glonass_latency) is set.
         pub glonass_correction_latency: f32,
         /// Latency of the last Galileo correction.
         ///
-        /// Unit: s. Valid if
+        /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.galileo_latency`](RtkCorrectionsStatusFlags::galileo_latency) is set.
         pub galileo_correction_latency: f32,
         /// Latency of the last BeiDou correction.
         ///
-        /// Unit: s. Valid if
+        /// Unit: s. Range: at least 0. Valid if
         /// [`valid_flags.beidou_latency`](RtkCorrectionsStatusFlags::beidou_latency) is set.
         pub beidou_correction_latency: f32,
         /// Reserved.
@@ -2172,7 +2212,8 @@ record! {
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
@@ -2200,17 +2241,19 @@ record! {
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: m. Range: greater than 0. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
-        /// Mean anomaly.
+        /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
@@ -2222,11 +2265,12 @@ record! {
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
-        /// Eccentricity.
+        /// Eccentricity of the orbit.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: 1. Range: at least 0, less than 1. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
-        /// Argument of perigee.
+        /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
@@ -2238,7 +2282,7 @@ record! {
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
-        /// Inclination.
+        /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,
@@ -2448,7 +2492,8 @@ record! {
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
@@ -2476,17 +2521,19 @@ record! {
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: m. Range: greater than 0. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
-        /// Mean anomaly.
+        /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
@@ -2498,11 +2545,12 @@ record! {
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
-        /// Eccentricity.
+        /// Eccentricity of the orbit.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: 1. Range: at least 0, less than 1. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
-        /// Argument of perigee.
+        /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
@@ -2514,7 +2562,7 @@ record! {
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
-        /// Inclination.
+        /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,
@@ -2602,7 +2650,8 @@ record! {
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
@@ -2630,17 +2679,19 @@ record! {
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: s. Range: at least 0, less than 604800. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: m. Range: greater than 0. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
         /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
-        /// Mean anomaly.
+        /// Mean anomaly at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
@@ -2652,11 +2703,12 @@ record! {
         ///
         /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
-        /// Eccentricity.
+        /// Eccentricity of the orbit.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
+        /// Unit: 1. Range: at least 0, less than 1. Valid if
+        /// [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
-        /// Argument of perigee.
+        /// Angle from the ascending node to the perigee.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
@@ -2668,7 +2720,7 @@ record! {
         ///
         /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
-        /// Inclination.
+        /// Inclination of the orbit at the reference time.
         ///
         /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,

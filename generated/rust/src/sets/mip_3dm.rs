@@ -83,7 +83,7 @@ record! {
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ConstellationSettingsEntry {
-        /// Constellation.
+        /// Constellation that this entry configures.
         pub constellation_id: ConstellationId,
         /// 1 switches it on, 0 off.
         ///
@@ -97,7 +97,7 @@ record! {
         ///
         /// Unit: 1. Range: 0 to 32.
         pub max_channels: u8,
-        /// Options.
+        /// Options of this constellation.
         pub option_flags: ConstellationOptions,
     }
 }
@@ -4027,7 +4027,7 @@ record! {
     pub struct SensorRange {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// The sensor.
+        /// Sensor whose range is set or read.
         pub sensor: Option<SensorRangeType>,
         /// Number of the range.
         ///
@@ -4158,7 +4158,7 @@ record! {
         pub manual: Option<crate::Bool>,
         /// Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
         ///
-        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
     }
     wire 9 {
@@ -4229,7 +4229,7 @@ record! {
     pub struct DataStreamFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// The stream.
+        /// Stream whose format is set or read.
         pub stream: Option<InternalSensor>,
         /// Its format.
         pub format: Option<StreamFormat>,
@@ -4842,7 +4842,7 @@ record! {
     /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamFormatResponse {
-        /// The stream.
+        /// Stream whose format is set or read.
         pub stream: InternalSensor,
         /// Its format.
         pub format: StreamFormat,
@@ -5884,7 +5884,7 @@ record! {
         pub power_state: u8,
         /// Range of the gyroscope.
         pub gyro_range: u16,
-        /// Range of the accelerometer.
+        /// Largest acceleration that can be measured.
         pub accel_range: u16,
         /// Reserved.
         pub reserved: u32,
@@ -7132,7 +7132,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct SensorRangeResponse {
-        /// The sensor.
+        /// Sensor whose range is set or read.
         pub sensor: SensorRangeType,
         /// Number of the range.
         pub setting: u8,
@@ -7164,7 +7164,7 @@ record! {
     pub struct GetCalibratedSensorRangesResponse {
         /// Sensor given in the command.
         pub sensor: SensorRangeType,
-        /// The ranges.
+        /// Each range that the sensor is calibrated for.
         ///
         /// If [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::ACCEL`]:
         /// [`range`](SensorRangeEntry::range) has unit g. If
@@ -7216,7 +7216,7 @@ record! {
         pub manual: crate::Bool,
         /// Cutoff in use.
         ///
-        /// Unit: Hz.
+        /// Unit: Hz. Range: at least 0.
         pub frequency: f32,
     }
 }

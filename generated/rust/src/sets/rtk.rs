@@ -68,8 +68,10 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`]. Probably supported by
-    /// [3DM-RTK](crate::devices::RTK). Known only from the MicroStrain MIP SDK.
+    /// Answered by [`GetStatusFlagsResponse`]. Flagged by
+    /// [`rtk_dongle_fault`](types::Gq7ContinuousBuiltInTest::rtk_dongle_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`]. Probably supported by [3DM-RTK](crate::devices::RTK).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -636,7 +638,7 @@ record! {
     /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersionResponse {
-        /// Firmware version.
+        /// Firmware version of the modem, not of the dongle.
         pub modem_firmware_version: crate::Text<32>,
     }
 }

@@ -151,7 +151,23 @@ record! {
     /// [`accel_over_range`](types::Cv7ContinuousBuiltInTest::accel_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`accel_self_test_fail`](types::Cv7ContinuousBuiltInTest::accel_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Cv7InertialContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Cv7InertialContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_accel`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_accel)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_general_fault`](types::Gq7ContinuousBuiltInTest::accel_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_over_range`](types::Gq7ContinuousBuiltInTest::accel_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`accel_self_test_fail`](types::Gq7ContinuousBuiltInTest::accel_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`accel_x`](OverrangeFlags::accel_x) of
     /// [`OverrangeFlags`], [`accel_y`](OverrangeFlags::accel_y) of [`OverrangeFlags`] and
     /// [`accel_z`](OverrangeFlags::accel_z) of [`OverrangeFlags`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -173,6 +189,10 @@ record! {
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
     /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    ///
+    /// - Level and at rest, z reads −1 g: the opposite of the gravity vector. The packet that both
+    ///   manuals print shows it, if the exchanged halves of its z are put in order: 0xBF7F7FE5 is
+    ///   −0.998 g.
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
@@ -217,7 +237,23 @@ record! {
     /// [`gyro_over_range`](types::Cv7ContinuousBuiltInTest::gyro_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`gyro_self_test_fail`](types::Cv7ContinuousBuiltInTest::gyro_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Cv7InertialContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Cv7InertialContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_gyro`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_gyro)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_general_fault`](types::Gq7ContinuousBuiltInTest::gyro_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_over_range`](types::Gq7ContinuousBuiltInTest::gyro_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`gyro_self_test_fail`](types::Gq7ContinuousBuiltInTest::gyro_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`gyro_x`](OverrangeFlags::gyro_x) of
     /// [`OverrangeFlags`], [`gyro_y`](OverrangeFlags::gyro_y) of [`OverrangeFlags`] and
     /// [`gyro_z`](OverrangeFlags::gyro_z) of [`OverrangeFlags`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -286,7 +322,23 @@ record! {
     /// [`mag_over_range`](types::Cv7ContinuousBuiltInTest::mag_over_range) of
     /// [`types::Cv7ContinuousBuiltInTest`],
     /// [`mag_self_test_fail`](types::Cv7ContinuousBuiltInTest::mag_self_test_fail) of
-    /// [`types::Cv7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
+    /// [`types::Cv7ContinuousBuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Cv7InertialContinuousBuiltInTest::imu_calibration_error_mag)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Cv7InertialContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Cv7InertialContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`imu_calibration_error_mag`](types::Gq7ContinuousBuiltInTest::imu_calibration_error_mag) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_general_fault`](types::Gq7ContinuousBuiltInTest::mag_general_fault) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_over_range`](types::Gq7ContinuousBuiltInTest::mag_over_range) of
+    /// [`types::Gq7ContinuousBuiltInTest`],
+    /// [`mag_self_test_fail`](types::Gq7ContinuousBuiltInTest::mag_self_test_fail) of
+    /// [`types::Gq7ContinuousBuiltInTest`], [`mag_x`](OverrangeFlags::mag_x) of [`OverrangeFlags`],
     /// [`mag_y`](OverrangeFlags::mag_y) of [`OverrangeFlags`] and [`mag_z`](OverrangeFlags::mag_z)
     /// of [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
@@ -756,7 +808,9 @@ record! {
     pub struct NorthVector {
         /// Geomagnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor.
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Uncertain: The frame. The SDK has the
+        /// vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack
+        /// this vector.
         pub stabilized_mag: types::Vector3f,
     }
 }
@@ -785,12 +839,15 @@ record! {
     /// - At rest it equals the measured acceleration, as long as that is in the sensor frame, too,
     ///   which a sensor-to-vehicle transformation changes.
     ///
-    /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
+    /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11); mip-sdk-4: Complementary
+    /// filter stabilized up vector (0x80,0x11).
     #[derive(Copy, Default)]
     pub struct UpVector {
-        /// The part of the measured acceleration that gravity causes.
+        /// The inverse of the gravity vector, as the accelerometers measure it.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain:
+        /// The frame. The SDK has the vehicle frame, but the lists of what the sensor-to-vehicle
+        /// transformation changes lack this vector.
         pub stabilized_accel: types::Vector3f,
     }
 }
@@ -948,7 +1005,19 @@ record! {
     /// [`pressure_sensor_over_range`](types::Cv7ContinuousBuiltInTest::pressure_sensor_over_range)
     /// of [`types::Cv7ContinuousBuiltInTest`],
     /// [`pressure_sensor_self_test_fail`](types::Cv7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
-    /// of [`types::Cv7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
+    /// of [`types::Cv7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Cv7InertialContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Cv7InertialContinuousBuiltInTest`],
+    /// [`pressure_sensor_general_fault`](types::Gq7ContinuousBuiltInTest::pressure_sensor_general_fault)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_over_range`](types::Gq7ContinuousBuiltInTest::pressure_sensor_over_range)
+    /// of [`types::Gq7ContinuousBuiltInTest`],
+    /// [`pressure_sensor_self_test_fail`](types::Gq7ContinuousBuiltInTest::pressure_sensor_self_test_fail)
+    /// of [`types::Gq7ContinuousBuiltInTest`] and [`pressure`](OverrangeFlags::pressure) of
     /// [`OverrangeFlags`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
@@ -971,7 +1040,7 @@ record! {
     pub struct ScaledPressure {
         /// Ambient pressure.
         ///
-        /// Unit: mbar.
+        /// Unit: mbar. Range: at least 0.
         pub scaled_pressure: f32,
     }
 }

@@ -187,7 +187,7 @@ record! {
     pub struct DeltaTime {
         /// Time since the last output.
         ///
-        /// Unit: s.
+        /// Unit: s. Range: at least 0.
         pub seconds: f64,
     }
 }

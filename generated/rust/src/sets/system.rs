@@ -67,7 +67,7 @@ record! {
     pub struct InterfaceControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// The port.
+        /// Port whose protocols are set or read.
         ///
         /// Uncertain: Whether write and read accept `all`.
         pub port: Option<types::CommInterface>,
@@ -201,7 +201,7 @@ record! {
     /// Source: mip-sdk-4: Interface control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct InterfaceControlResponse {
-        /// The port.
+        /// Port whose protocols are set or read.
         ///
         /// Uncertain: Whether write and read accept `all`.
         pub port: types::CommInterface,

@@ -1,0 +1,175 @@
+"""Compares the model with rules: what is true of a number because of what it is, such as the range of a latitude.
+
+They are the witness of what no source prints. A rule looks at names and at other facts of a parameter, never at the
+fact that it states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import Any
+
+from mipgen import model as m
+
+#: Scalars by what they can hold.
+_CLASSES = {"unsigned": ("u8", "u16", "u32", "u64"), "float": ("float", "double")}
+
+
+@dataclass(frozen=True)
+class Finding:
+    at: str
+    text: str
+    position: m.Position | None
+
+
+def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, Finding | None]]:
+    """For each fact that a rule states, its kind and what differs. Of several rules the first one counts."""
+    for at, record in _records(model):
+        for p in record:
+            stated = set[str]()
+            for rule in rules:
+                if not _about(rule, at, p):
+                    continue
+                for kind in sorted({*_SAYS} & {*rule} - stated):
+                    stated.add(kind)
+                    text = _SAYS[kind](rule[kind], p, record)
+                    if text is not None:
+                        yield kind, Finding(at, f"{p.name}: {text}", p.position) if text else None
+
+
+def _records(model: m.Model) -> Iterator[tuple[str, tuple[m.Parameter, ...]]]:
+    """The parameters of each field and of each structure, which several fields may have."""
+    seen = set[str]()
+    for field in model.fields:
+        yield field.full_name, field.parameters
+        open_ones = list(field.parameters)
+        while open_ones:
+            p = open_ones.pop()
+            open_ones += p.alternatives
+            if isinstance(p.element, m.Struct) and p.element.name not in seen:
+                seen.add(p.element.name)
+                open_ones += p.element.parameters
+                yield p.element.name, p.element.parameters
+
+
+def _about(rule: dict[str, Any], at: str, p: m.Parameter) -> bool:
+    scalar = _scalar(p)
+    return (
+        not p.selector
+        and p.reserved is None
+        and _any(rule.get("names"), p.name)
+        and _any(rule.get("fields"), at)
+        and not ("not_fields" in rule and _any(rule["not_fields"], at))
+        and ("of" not in rule or scalar in _CLASSES[rule["of"]])
+        and ("units_are" not in rule or (bool(p.units) and {*p.units} <= {*rule["units_are"]}))
+    )
+
+
+def _any(patterns: list[str] | None, name: str) -> bool:
+    return patterns is None or any(fnmatchcase(name, pattern) for pattern in patterns)
+
+
+def _scalar(p: m.Parameter) -> str:
+    """The scalar of a plain number or of a vector; nothing of what has named values or members."""
+    return p.element.name if isinstance(p.element, m.Scalar) else getattr(_vector(p), "name", "")
+
+
+def _vector(p: m.Parameter) -> m.Scalar | None:
+    return p.element.scalar if isinstance(p.element, m.Vector) else None
+
+
+# --------------------------------------------------------------------------- what differs; None: nothing to compare
+
+
+def _range(said: list[float | None], p: m.Parameter, _: object) -> str | None:
+    given = (p.minimum if p.minimum is not None else p.above, p.maximum if p.maximum is not None else p.below)
+    if all(wanted is None or one == wanted for one, wanted in zip(given, said, strict=True)):
+        return ""
+    return f"range {_bounds(given)}, a rule has {_bounds(said)}"
+
+
+def _if_range(said: list[float | None], p: m.Parameter, record: object) -> str | None:
+    """As `range`, where the specification states one at all."""
+    return _range(said, p, record) if (p.minimum, p.maximum, p.above, p.below) != (None,) * 4 else None
+
+
+def _frame(said: list[str], p: m.Parameter, _: object) -> str | None:
+    if p.frame is None:
+        return None
+    return "" if p.frame in said else f"frame {p.frame}, a rule has {'/'.join(said)}"
+
+
+def _unit(said: list[str], p: m.Parameter, _: object) -> str | None:
+    if p.any_unit:
+        return None
+    return "" if p.units and {*p.units} <= {*said} else f"unit {_all(p.units)}, a rule has {_all(said)}"
+
+
+def _unit_of(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
+    """The same unit as the parameter whose name lacks this part, or has another in its place."""
+    old, _, new = said.partition(" -> ")
+    twin = next((q for q in record if q is not p and q.name == p.name.replace(old, new)), None)
+    if twin is None or not twin.units:
+        return None
+    return "" if twin.units == p.units else f"unit {_all(p.units)}, that of {twin.name} is {_all(twin.units)}"
+
+
+def _type(said: str, p: m.Parameter, _: object) -> str | None:
+    scalar = _scalar(p)
+    if not scalar:
+        return None
+    return "" if scalar in _CLASSES[said] else f"type {scalar}, a rule has {said}"
+
+
+def _default(said: list[str | float], p: m.Parameter, _: object) -> str | None:
+    """This number, or the value of such a name, if there is one, and a default at all."""
+    values = [v.name for v in p.element.values] if isinstance(p.element, m.Enum) else []
+    wanted = next((x for x in said if x in values or not isinstance(x, str)), None)
+    if wanted is None or p.default is None:
+        return None
+    return "" if p.default == wanted else f"default {p.default}, a rule has {wanted}"
+
+
+def _flags(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
+    """Flags have the order of what they are about: no bit is left out, and nothing between two that have one."""
+    places = [(q, *_bits(q, record)) for q in record if q.valid]
+    before = [last for q, _, last in places if record.index(q) < record.index(p)]
+    after = [first for q, first, _ in places if record.index(q) > record.index(p)]
+    if not p.valid:
+        return None if not (before and after) else "no valid flag, a rule has one between two"
+    first = _bits(p, record)[0]
+    return "" if not before or first in (before[-1], before[-1] + 1) else f"valid by bit {first} after bit {before[-1]}"
+
+
+def _bits(p: m.Parameter, record: tuple[m.Parameter, ...]) -> tuple[int, int]:
+    """The bits of the flags of its first and last element; 0 for a bool."""
+    numbers = []
+    for one in (p.valid[0], p.valid[-1]):
+        holder, _, name = one.partition(".")
+        flags = next((q.element for q in record if q.name == holder), None)
+        bits = flags.bits if isinstance(flags, m.Bitfield) else ()
+        numbers.append(next((b.first for b in bits if b.name == name), 0))
+    return numbers[0], numbers[1]
+
+
+_SAYS: dict[str, Callable[[Any, m.Parameter, tuple[m.Parameter, ...]], str | None]] = {
+    "range": _range,
+    "if_range": _if_range,
+    "frame": _frame,
+    "unit": _unit,
+    "unit_of": _unit_of,
+    "type": _type,
+    "default": _default,
+    "flags": _flags,
+}
+
+
+def _all(units: Iterable[str]) -> str:
+    return "/".join(units) or "none"
+
+
+def _bounds(bounds: Any) -> str:
+    low, high = bounds
+    return f"{'none' if low is None else f'{low:g}'} to {'none' if high is None else f'{high:g}'}"

@@ -1,0 +1,383 @@
+"""Extracts facts from a working copy of the vendor's SDK: its layouts, and what comments say of each number.
+
+Members and comments are read from `definitions/*.hpp`; their order, counts, conditions and functions from what
+`extract` does in `definitions/*.cpp`. A program wrote both, so uniformly that it is enough to read them line by line.
+Only facts are extracted, in the form of `spec/witness`.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from mipgen.base.errors import Failure
+
+from . import tables
+
+DEFINITIONS = Path("src/cpp/mip/definitions")
+
+_SCALARS = {f"{u}int{n}_t": f"{u or 's'}{n}" for u in ("u", "") for n in (8, 16, 32, 64)} | {
+    word: word for word in ("float", "double", "bool", "char")
+}
+_VECTORS = {
+    "Vector3f": ["float", "xyz"],
+    "Vector4f": ["float", "xyzw"],
+    "Quatf": ["float", "wxyz"],
+    "Matrix3f": ["float", "abcdefghi"],
+    "Vector3d": ["double", "xyz"],
+    "Vector4d": ["double", "xyzw"],
+    "Matrix3d": ["double", "abcdefghi"],
+}
+_LETTERS = {"write": "W", "read": "R", "save": "S", "load": "L", "default": "D"}
+_ROLES = {"CMD": "command", "REPLY": "response", "DATA": "data"}
+
+_SCOPE = re.compile(r"(namespace|enum class|struct|union) (\w+)(?: : (Bitfield<\w+>|\w+))?(?: \{)?$")
+_ALTERNATIVES = re.compile(r"union(?: \{)?$")
+_NUMBERS = re.compile(r"enum *(?:_enumType : (\w+))?$")
+_NUMBER = re.compile(r"(?:static constexpr const \w+ )?(\w+) *= *(0x[0-9A-Fa-f]+|\d+)[,;]")
+_DESCRIPTOR = re.compile(r"FIELD_DESCRIPTOR = ::mip::\w+::(\w+);")
+_MEMBER = re.compile(r"([\w:]+) (\w+)(?:\[(\d+)\])?(?: = [^;]*)?;(?: *///< ?(.*))?$")
+_CALL = re.compile(r"TypedResult<(\w+)> (write|read|save|load|default)\w+\(")
+_EXTRACT = re.compile(r"void ([\w:]+)::extract\(Serializer& serializer\)$")
+_CONDITION = re.compile(r"if\( (\w+) == ([\w:]+)")
+_LOOP = re.compile(r"for\(unsigned int i=0; i < (\w+);")
+_READ = re.compile(r"serializer\.extract(?:_count)?\(([\w.]+)")
+
+#: Values that a comment lists, such as "0 - Disabled, 1 - Enabled (default)", or "GLONASS = 0".
+_LISTED = re.compile(r"\b(\d+)\s*[-=:]\s*([A-Za-z][\w-]*(?: [A-Za-z][\w-]*)*)(?: *\((default)\))?")
+_NAMED = re.compile(r"([A-Z][\w-]*) = (\d+)()")
+_INVALID = re.compile(r"0 ?[-=] ?invalid,? ?1 ?[-=]? ?valid", re.IGNORECASE)
+
+
+def is_working_copy(folder: Path) -> bool:
+    return (folder / DEFINITIONS).is_dir()
+
+
+def extract(folder: Path) -> dict[str, Any]:
+    """The facts of a working copy, in the form of a file of `spec/witness`."""
+    try:
+        return _facts(folder)
+    except (KeyError, StopIteration, OSError) as error:
+        reason = error.strerror if isinstance(error, OSError) else f"nothing defines {error}"
+        raise Failure(f"this SDK has definitions of another form: {reason}", str(folder / DEFINITIONS)) from error
+
+
+def _facts(folder: Path) -> dict[str, Any]:
+    parts = [_Definitions(path) for path in sorted((folder / DEFINITIONS).glob("*_*.hpp"))]
+    layouts = sorted((x for part in parts for x in part.layouts()), key=lambda x: (x["key"], x["role"]))
+    structs = _PUBLIC_STRUCTS | {name: record for part in parts for name, record in part.structs().items()}
+    types = _codes(folder) | {name: entry for part in parts for name, entry in part.types().items()}
+    records = [*(x["parameters"] for x in layouts), *structs.values()]
+    printed = {p.get("unit") for record in records for q in record for p in (q, *q.get("cases", ()))}
+    receivers = {f"0x{n:02X}" for part in parts for s in part.scopes.values() for k, n in s.numbers.items() if _GNSS(k)}
+    return {
+        "source": _source(folder),
+        "same_layouts": {"0x81": sorted(receivers)},
+        "vectors": _VECTORS,
+        "units": tables.symbols(printed),
+        "layouts": layouts,
+        "structs": dict(sorted(structs.items())),
+        "enums": dict(sorted((k, v) for k, v in types.items() if "values" in v)),
+        "bitfields": dict(sorted((k, v) for k, v in types.items() if "bits" in v)),
+        "constants": {k: v for part in parts for k, v in part.constants().items()},
+        "named": dict(sorted((k, v) for part in parts for k, v in part.named().items())),
+    }
+
+
+def _source(folder: Path) -> dict[str, str]:
+    """What the facts are of, with the revision if git knows it."""
+    source = {"name": "MicroStrain MIP SDK", "repository": "github.com/HBK-MicroStrain/mip_sdk", "licence": "MIT"}
+    command = ["git", "-C", str(folder), "log", "-1", "--format=%H %cs"]
+    git = subprocess.run(command, capture_output=True, text=True, check=False) if shutil.which("git") else None
+    if git is None or git.returncode:
+        return source
+    commit, date = git.stdout.split()
+    return source | {"commit": commit, "date": date}
+
+
+#: Sets of further receivers, by the names of their constants.
+_GNSS = re.compile(r"MIP_GNSS\d_DATA_DESC_SET").match
+
+#: The one structure that is not among the definitions.
+_PUBLIC_STRUCTS = {"DescriptorRate": [{"name": "descriptor", "type": "u8"}, {"name": "decimation", "type": "u16"}]}
+
+
+def _codes(folder: Path) -> dict[str, Any]:
+    """The function selectors and the codes of the acknowledge, which are defined in C."""
+    found = {}
+    for name, file, prefix in (
+        ("CmdResult", "mip_result.h", r"MIP_(?=N?ACK)"),
+        ("FunctionSelector", "mip_descriptors.h", r"MIP_FUNCTION_"),
+    ):
+        path = next((folder / "src").rglob(file))
+        entries = re.findall(rf"^\s*{prefix}(\w+) *= *(0x\w+|\d+)", path.read_text("utf-8"), re.MULTILINE)
+        found[name] = {"type": "u8", "values": {key: int(number, 0) for key, number in entries}}
+    return found
+
+
+# --------------------------------------------------------------------------- lines
+
+
+@dataclass
+class _Scope:
+    """A namespace, structure, union, enumeration or bitfield of a header."""
+
+    kind: str
+    name: str  # with those around it, but without the namespace
+    scalar: str = ""
+    numbers: dict[str, int] = field(default_factory=dict)  # values, masks, descriptors or constants
+    members: dict[str, dict[str, Any]] = field(default_factory=dict)
+    descriptor: str = ""  # the name of its number
+    functions: str = ""
+    about: str = ""
+
+
+@dataclass(frozen=True)
+class _Step:
+    """A number, or an array, that `extract` reads."""
+
+    member: str
+    written: bool  # for function write only; and read, in some
+    letters: str
+    repeat: int | str | None  # a number of items, a counter, or "rest"
+    case: tuple[str, str] | None  # the parameter, and its value, that select it
+
+
+def _scopes(lines: list[str], space: str) -> Iterator[_Scope]:
+    """Each scope of a header, at its end. Braces of functions are counted only."""
+    stack: list[_Scope | None] = []
+    pending: _Scope | None = None
+    about: list[str] = []
+    for line in map(str.strip, lines):
+        inside = next((s for s in reversed(stack) if s), None)
+        if line.startswith("///"):
+            about = [] if "@defgroup" in line else [*about, line.removeprefix("///").strip()]
+            continue
+        if match := _SCOPE.match(line):
+            kind, name, base = match[1], match[2], match[3] or ""
+            around = inside.name if inside and inside.kind != "mip" else ""
+            if kind == "namespace":
+                pending = _Scope("namespace" if name == space else "mip", "")
+            elif base.startswith("Bitfield"):
+                pending = _Scope("bitfield", f"{around}::{name}".lstrip(":"))
+            else:
+                pending = _Scope(kind.removesuffix(" class"), f"{around}::{name}".lstrip(":"), _SCALARS.get(base, ""))
+            pending.about = inside.about if inside and inside.about else " ".join(about)
+        elif _ALTERNATIVES.match(line):
+            pending = _Scope("alternatives", "")
+        elif match := _NUMBERS.match(line):
+            pending = _Scope("numbers", "", _SCALARS.get(match[1] or "", ""))
+        if line.startswith(("{", "}")) or line.endswith("{"):
+            if line.startswith("}"):
+                closed = stack.pop() if stack else None
+                owner = next((s for s in reversed(stack) if s), None)
+                if closed and owner and closed.kind == "alternatives":
+                    first = next(iter(closed.members))
+                    owner.members |= {name: x | {"first": first} for name, x in closed.members.items()}
+                elif closed and owner and closed.kind == "numbers":
+                    owner.numbers |= closed.numbers
+                    owner.scalar = closed.scalar or owner.scalar
+                elif closed and closed.kind != "mip":
+                    yield closed
+            else:
+                stack.append(pending)
+                pending = None
+        elif inside and stack[-1] is inside:
+            _member(inside, line)
+
+
+def _member(scope: _Scope, line: str) -> None:
+    """A line directly in a scope."""
+    if match := _DESCRIPTOR.search(line):
+        scope.descriptor = match[1]
+    elif (match := _NUMBER.match(line)) and "NAME" not in line:
+        scope.numbers[match[1]] = int(match[2], 0)
+    elif scope.kind in ("struct", "union", "alternatives") and (match := _MEMBER.match(line)):
+        scope.members[match[2]] = {"type": match[1], "size": match[3], "text": (match[4] or "").strip()}
+
+
+def _steps(lines: list[str]) -> dict[str, list[_Step]]:
+    """For each structure what `extract` reads, in order."""
+    found: dict[str, list[_Step]] = {}
+    steps: list[_Step] | None = None
+    conditions: list[str] = []
+    repeat: int | str | None = None
+    for raw in lines:
+        line = raw.strip()
+        if match := _EXTRACT.match(raw):
+            steps = found[match[1]] = []
+        elif raw == "}":
+            steps = None
+        elif steps is None or line == "{":
+            continue
+        elif line.startswith("if("):
+            conditions.append(line)
+        elif line == "}":
+            conditions.pop()
+        elif line.startswith("for("):
+            match = _LOOP.match(line)
+            repeat = "rest" if match is None else int(match[1]) if match[1].isdecimal() else match[1]
+        elif match := _READ.match(line):
+            words = re.findall(r"FunctionSelector::([A-Z]+)", " ".join(conditions))
+            letters = "".join(_LETTERS[{"RESET": "default"}.get(w, w.lower())] for w in words)
+            chosen = next((x for c in conditions if (x := _CONDITION.match(c)) and x[1] != "function"), None)
+            case = (chosen[1], chosen[2]) if chosen else None
+            steps.append(_Step(match[1], bool(words), letters, repeat, case))
+            repeat = None
+    return found
+
+
+# --------------------------------------------------------------------------- facts
+
+
+class _Definitions:
+    """The facts of one header and its implementation, which define one namespace."""
+
+    def __init__(self, header: Path) -> None:
+        self.space = header.stem
+        text = header.read_text("utf-8")
+        self.scopes = {s.name: s for s in _scopes(text.splitlines(), self.space)}
+        self.steps = _steps(header.with_suffix(".cpp").read_text("utf-8").splitlines())
+        calls = set(_CALL.findall(text))
+        self.functions = {
+            name: "".join(letter for word, letter in _LETTERS.items() if (name, word) in calls) for name, _ in calls
+        }
+        self.descriptors = self.scopes[""].numbers
+
+    def full(self, name: str) -> str:
+        return f"{self.space}::{name}"
+
+    def key(self, constant: str) -> str:
+        return f"0x{self.descriptors['DESCRIPTOR_SET']:02X},0x{self.descriptors[constant]:02X}"
+
+    def layouts(self) -> Iterator[dict[str, Any]]:
+        for scope in self.scopes.values():
+            if not scope.descriptor:
+                continue
+            role = _ROLES[scope.descriptor.partition("_")[0]]
+            layout: dict[str, Any] = {"key": self.key(scope.descriptor), "role": role, "name": self.full(scope.name)}
+            functions = self.functions.get(scope.name, "") if role == "command" else ""
+            if functions:
+                layout["functions"] = functions
+            response = self.scopes.get(f"{scope.name}::Response")
+            if response and response.descriptor:
+                layout["response"] = self.key(response.descriptor).rpartition(",")[2]
+            frames = tables.frames(scope.about)
+            if frames:
+                layout["frames"] = frames
+            layout["parameters"] = self.record(scope, functions)
+            if role == "command":
+                tables.defaults(layout["parameters"], scope.about)
+            yield layout
+
+    def structs(self) -> dict[str, Any]:
+        plain = [s for s in self.scopes.values() if s.kind == "struct" and s.members and not s.descriptor]
+        return {self.full(s.name): self.record(s, "") for s in plain}
+
+    def types(self) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for s in self.scopes.values():
+            if s.kind == "enum":
+                found[self.full(s.name)] = {"type": s.scalar, "values": s.numbers}
+            elif s.kind == "bitfield":
+                masks = {name: mask for name, mask in s.numbers.items() if mask and name != "ALL"}
+                bits = {name: [(m & -m).bit_length() - 1, m.bit_count()] for name, m in masks.items()}
+                found[self.full(s.name)] = {"type": s.scalar, "bits": bits}
+        return found
+
+    def constants(self) -> dict[str, dict[str, int]]:
+        """Numbers with names that are neither values nor descriptors, by the scope that they are in."""
+        found = {}
+        for s in self.scopes.values():
+            prefixes = ("DESCRIPTOR_SET", *(f"{role}_" for role in _ROLES)) if s.kind == "namespace" else ()
+            numbers = {k: n for k, n in s.numbers.items() if not k.startswith(prefixes)} if prefixes else s.numbers
+            if s.kind in ("namespace", "struct") and numbers:
+                found[self.full(s.name) if s.name else self.space] = numbers
+        return found
+
+    def named(self) -> dict[str, str]:
+        """Descriptors without a layout."""
+        used = {s.descriptor for s in self.scopes.values()}
+        wanted = [k for k in self.descriptors if k.partition("_")[0] in _ROLES and k not in used]
+        return {self.key(k): k for k in wanted}
+
+    # ------------------------------------------------------------------ parameters
+
+    def record(self, scope: _Scope, functions: str) -> list[dict[str, Any]]:
+        """The parameters in the order in which they are read; those of a union are its cases."""
+        found: dict[str, dict[str, Any]] = {}
+        for step in self.steps[scope.name]:
+            name, _, inner = step.member.partition(".")
+            first = name if name == "function" else scope.members[name].get("first", name)
+            if name == "function" or (first in found and first != name):
+                continue  # another name of a number that was read
+            p = found.get(name) or self.parameter(scope, name, step)
+            if functions and name not in found:
+                p["for"] = "".join(x for x in functions if x in step.letters or not step.written)
+            found[name] = p
+            if inner and step.case:
+                by, value = step.case
+                enum, _, entry = value.rpartition("::")
+                number = self.scopes[self.find(enum, scope)].numbers[entry]
+                union = self.scopes[self.find(scope.members[name]["type"], scope)]
+                p["by"] = by
+                case = self.parameter(union, inner, step) | {"when": [entry, number]}
+                p.setdefault("cases", []).append(case)
+        return list(found.values())
+
+    def find(self, name: str, scope: _Scope) -> str:
+        """A type by its name, as C++ looks for it: in the scope, and in each around it."""
+        around = scope.name.split("::")
+        candidates = ["::".join([*around[:i], name]) for i in range(len(around), -1, -1)]
+        return next(c for c in candidates if c in self.scopes)
+
+    def parameter(self, scope: _Scope, name: str, step: _Step) -> dict[str, Any]:
+        member = scope.members[name]
+        kind, size, text = member["type"], int(member["size"] or 0), member["text"]
+        p: dict[str, Any] = {"name": name}
+        if kind in _SCALARS:
+            p["type"] = _SCALARS[kind]
+        elif kind in _VECTORS:
+            p |= {"type": _VECTORS[kind][0], "count": len(_VECTORS[kind][1]), "of": kind}
+        elif kind == "DescriptorRate":
+            p |= {"type": "struct", "struct": kind}
+        else:
+            found = self.scopes[self.find(kind, scope)]
+            p["type"] = found.kind if found.kind in ("struct", "union") else found.scalar
+            if found.kind != "union":
+                p[found.kind] = self.full(found.name)
+        if isinstance(step.repeat, int):
+            p["count"] = step.repeat * p.get("count", 1)
+        elif step.repeat == "rest":
+            p |= {"count": "rest", "max": size}
+        elif step.repeat:
+            p |= {"by": step.repeat, "max": size}
+        return p | self.meaning(text, p, scope.about)
+
+    def meaning(self, text: str, p: dict[str, Any], about: str) -> dict[str, Any]:
+        """What the comment says; what is named elsewhere has its meaning there."""
+        if {"enum", "bitfield", "struct"} & {*p} or p["type"] == "union":
+            return {}
+        plain = re.sub(r"<br */?>|</?[bui]>|//$", " ", text)
+        found = tables.described(plain, p["type"], about if "noise" in p["name"] else "")
+        listed = _listed(plain) if p["type"].startswith("u") else []
+        numbers = {re.sub(r"\W+", "_", words).upper(): number for words, number, _ in listed}
+        if "itfield" in text and numbers:
+            return found | {"bits": {name: [number, 1] for name, number in numbers.items()}}
+        if len(numbers) > 1 and len(set(numbers.values())) == len(numbers):
+            found |= {"values": numbers}
+            found.pop("range", None)
+        chosen = [number for _, number, default in listed if default]
+        return found | ({"default": chosen[0]} if len(chosen) == 1 else {})
+
+
+def _listed(text: str) -> list[tuple[str, int, str]]:
+    if _INVALID.search(text):
+        return [("INVALID", 0, ""), ("VALID", 1, "")]
+    named = [(words, int(number), default) for words, number, default in _NAMED.findall(text)]
+    return named or [(words, int(number), default) for number, words, default in _LISTED.findall(text)]
