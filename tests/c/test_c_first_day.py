@@ -191,7 +191,10 @@ def test_lines(tmp_path: Path) -> None:
     (tmp_path / "lines.c").write_text(LINES)
     program = built(tmp_path, tmp_path / "lines.c")
     first, second = pty.openpty()
-    with socket.create_server(("::1", 0), family=socket.AF_INET6) as six, socket.create_server(("127.0.0.1", 0)) as four:
+    with (
+        socket.create_server(("::1", 0), family=socket.AF_INET6) as six,
+        socket.create_server(("127.0.0.1", 0)) as four,
+    ):
 
         def hang_up() -> None:
             four.accept()[0].close()

@@ -93,7 +93,8 @@ def test_the_c_program_is_exemplary() -> None:
     """Without a warning, as strict as the binding itself, and formatted as it."""
     source = ROOT / "generated/c/examples/stream.c"
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-fsyntax-only"]
-    subprocess.run([need("cc"), *strict, *(f"-I{ROOT}/generated/c/{folder}" for folder in ("src", "ports")), str(source)], check=True)
+    folders = [f"-I{ROOT}/generated/c/{folder}" for folder in ("src", "ports")]
+    subprocess.run([need("cc"), *strict, *folders, str(source)], check=True)
     style = f"--style=file:{ROOT}/generated/c/.clang-format"
     subprocess.run([need("clang-format"), style, "--dry-run", "-Werror", str(source)], check=True)
 

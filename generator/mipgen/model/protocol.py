@@ -112,4 +112,5 @@ class Protocol:
     vocabulary: tuple[Usage, ...] = ()
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
+    url: Prose = ""  # where packages are from
     leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

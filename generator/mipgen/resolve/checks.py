@@ -27,6 +27,9 @@ SESSION = {
     "stream": (("u8", "bool"), "a descriptor set, and whether its data is sent"),
 }
 
+#: What the response of such a command has.
+ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
+
 #: What the parameters of a timestamp are in.
 TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
@@ -229,15 +232,19 @@ def session(model: m.Model, problems: Problems) -> None:
             problems.add(found.position, f"`{role}`: no command '{name}'{nearest(name, names)}")
         elif tuple(_type(p) for p in f.calls[0].required) != types:
             problems.add(found.position, f"`{role}`: '{name}' must take {words}")
-        elif role in ("identify", "base_rate") and len(model.responses(f)) != 1:
-            problems.add(found.position, f"`{role}`: '{name}' must have one response")
-        elif role == "identify":
-            (response,) = model.responses(f)
-            for path in found.model_numbers:
-                if (p := _inside(response, path)) is None or p.kind != "text":
-                    problems.add(found.position, f"`model_numbers`: '{response.full_name}' has no text '{path}'")
-        elif role == "base_rate" and sum(p.units == ("Hz",) for p in model.responses(f)[0].parameters) != 1:
-            problems.add(found.position, f"`{role}`: the response of '{name}' must have one parameter in Hz")
+        elif role in ANSWERS and not _answers(role, model.responses(f), found):
+            problems.add(found.position, f"`{role}`: '{name}' must have one response, with {ANSWERS[role]}")
+
+
+def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> bool:
+    """Does a command of a session have the response that programs read?"""
+    if len(responses) != 1:
+        return False
+    (response,) = responses
+    if role == "base_rate":
+        return sum(p.units == ("Hz",) for p in response.parameters) == 1
+    texts = [_inside(response, path) for path in session.model_numbers]
+    return all(p is not None and p.kind == "text" for p in texts)
 
 
 def _type(p: m.Parameter) -> str:

@@ -165,6 +165,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         vocabulary=_vocabulary(root.get("vocabulary")),
         clocks=_clocks(root.get("clocks")),
         session=_session(root.get("session")),
+        url=root.scalar("url", ""),
         leap_seconds=tuple(sorted(root["leap_seconds"].plain().items())) if "leap_seconds" in root else (),
     )
 

@@ -90,8 +90,8 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         ),
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile")
-    for path in (*manifests, "cmake/mip.pc.in", "zephyr/Kconfig"):
+    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "conanfile.py", "Doxyfile")
+    for path in (*manifests, "vcpkg/vcpkg.json", "cmake/mip.pc.in", "zephyr/Kconfig"):
         yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
 
 
