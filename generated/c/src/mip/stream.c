@@ -26,7 +26,9 @@ static bool waiting(const struct mip_stream *stream) {
 /** Keeps what the parser holds: it drops the bytes that it skips. Returns their number. */
 static size_t keep(struct mip_stream *stream) {
     const size_t held = held_by(&stream->parser);
-    memcpy(stream->before, stream->parser.buffer + stream->parser.done, held);
+    if (held > 0) {
+        memcpy(stream->before, stream->parser.buffer + stream->parser.done, held);
+    }
     return held;
 }
 

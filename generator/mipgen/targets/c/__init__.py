@@ -36,7 +36,9 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
-    shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if calls.session(model) else ""
+    session = calls.session(model)
+    shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
+    shown["ping"] = session.ping if session else ""
     shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 
